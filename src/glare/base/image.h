@@ -1,0 +1,49 @@
+// A picture in memory: a rectangle of values, row by row from the top, left to right.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace glare {
+
+template <typename T>
+class Image {
+ public:
+  Image() = default;
+  /// A `width` x `height` picture of `fill`. Both sizes are at least 0.
+  Image(int width, int height, T fill = T{})
+      : width_(width),
+        height_(height),
+        values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
+    assert(width >= 0 && height >= 0);
+  }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool empty() const { return values_.empty(); }
+
+  T& operator()(int x, int y) { return values_[index(x, y)]; }
+  const T& operator()(int x, int y) const { return values_[index(x, y)]; }
+
+  std::span<T> row(int y) { return values().subspan(index(0, y), static_cast<std::size_t>(width_)); }
+  std::span<const T> row(int y) const {
+    return values().subspan(index(0, y), static_cast<std::size_t>(width_));
+  }
+  std::span<T> values() { return values_; }
+  std::span<const T> values() const { return values_; }
+
+ private:
+  std::size_t index(int x, int y) const {
+    assert(x >= 0 && x <= width_ && y >= 0 && y < height_);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<T> values_;
+};
+
+}  // namespace glare

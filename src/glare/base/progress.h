@@ -1,0 +1,12 @@
+// Progress and cancellation of long work.
+#pragma once
+
+#include <functional>
+
+namespace glare {
+
+/// Called now and then, from one thread at a time, with the share of the work done (0 to 1).
+/// Return false to stop: the work then throws `Cancelled`. An empty callback is allowed.
+using ProgressCallback = std::function<bool(double fraction_done)>;
+
+}  // namespace glare

@@ -1,0 +1,21 @@
+// Everything in glare::core: from an aperture and a spectrum to a glare template.
+#pragma once
+
+#include "glare/aperture/aperture.h"
+#include "glare/aperture/eye.h"
+#include "glare/base/error.h"
+#include "glare/base/image.h"
+#include "glare/base/progress.h"
+#include "glare/color/color_space.h"
+#include "glare/color/gamut.h"
+#include "glare/color/matrix.h"
+#include "glare/diffraction/far_field.h"
+#include "glare/integration/spectral_integral.h"
+#include "glare/spectrum/lamps.h"
+#include "glare/spectrum/observer.h"
+#include "glare/spectrum/spectrum.h"
+#include "glare/spectrum/spectrum_table.h"
+#include "glare/template/glare_template.h"
+#include "glare/template/make_template.h"
+#include "glare/template/preview.h"
+#include "glare/template/profile.h"

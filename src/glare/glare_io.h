@@ -1,0 +1,11 @@
+// Everything in glare::io: pictures, lamp tables and colour spaces in, templates in OpenEXR out.
+#pragma once
+
+#include "glare/io/aperture_file.h"
+#include "glare/io/atomic_file.h"
+#include "glare/io/color_config.h"
+#include "glare/io/image_file.h"
+#include "glare/io/lamp_file.h"
+#include "glare/io/memory.h"
+#include "glare/io/sha256.h"
+#include "glare/io/template_file.h"

@@ -1,0 +1,74 @@
+#include "glare/spectrum/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <string>
+
+#include "glare/base/error.h"
+
+namespace glare {
+
+namespace {
+
+std::string nm(double wavelength_nm) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%g nm", wavelength_nm);
+  return text;
+}
+
+}  // namespace
+
+WavelengthRange intersection(const WavelengthRange& a, const WavelengthRange& b) {
+  return {std::max(a.lo_nm, b.lo_nm), std::min(a.hi_nm, b.hi_nm)};
+}
+
+Spectrum::Spectrum(std::vector<double> wavelengths_nm, std::vector<double> values) {
+  if (wavelengths_nm.size() != values.size())
+    throw InputError("spectrum", "has as many values as wavelengths, or it is no table");
+  if (wavelengths_nm.size() < 2)
+    throw InputError("spectrum", "has fewer than two samples; at least two are needed");
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return wavelengths_nm[a] < wavelengths_nm[b]; });
+  for (const std::size_t i : order) {
+    const double wavelength_nm = wavelengths_nm[i];
+    if (!std::isfinite(wavelength_nm) || wavelength_nm <= 0)
+      throw InputError("spectrum", "has a wavelength of " + nm(wavelength_nm) +
+                                       "; wavelengths are positive numbers of nanometres");
+    if (!std::isfinite(values[i]))
+      throw InputError("spectrum", "has a value at " + nm(wavelength_nm) + " that isn't finite");
+    if (!wavelengths_nm_.empty() && wavelengths_nm_.back() == wavelength_nm)
+      throw InputError("spectrum", "has the wavelength " + nm(wavelength_nm) + " twice");
+    wavelengths_nm_.push_back(wavelength_nm);
+    values_.push_back(values[i]);
+  }
+}
+
+double Spectrum::operator()(double wavelength_nm) const {
+  if (!(wavelength_nm >= wavelengths_nm_.front() && wavelength_nm <= wavelengths_nm_.back()))
+    return 0;
+  const auto above =
+      std::upper_bound(wavelengths_nm_.begin(), wavelengths_nm_.end(), wavelength_nm);
+  if (above == wavelengths_nm_.end()) return values_.back();
+  const auto i = static_cast<std::size_t>(above - wavelengths_nm_.begin());
+  const double share =
+      (wavelength_nm - wavelengths_nm_[i - 1]) / (wavelengths_nm_[i] - wavelengths_nm_[i - 1]);
+  return std::lerp(values_[i - 1], values_[i], share);
+}
+
+std::vector<double> union_of_knots(std::span<const Spectrum* const> spectra,
+                                   const WavelengthRange& range) {
+  std::vector<double> knots = {range.lo_nm, range.hi_nm};
+  for (const Spectrum* spectrum : spectra)
+    for (const double wavelength_nm : spectrum->wavelengths_nm())
+      if (wavelength_nm > range.lo_nm && wavelength_nm < range.hi_nm)
+        knots.push_back(wavelength_nm);
+  std::sort(knots.begin(), knots.end());
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+  return knots;
+}
+
+}  // namespace glare

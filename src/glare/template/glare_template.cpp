@@ -1,0 +1,31 @@
+#include "glare/template/glare_template.h"
+
+#include <numbers>
+
+#include "glare/base/error.h"
+
+namespace glare {
+
+std::string to_string(Normalization normalization) {
+  switch (normalization) {
+    case Normalization::energy: return "energy";
+    case Normalization::absolute: return "absolute";
+    default: return "peak";
+  }
+}
+
+Normalization normalization_from(const std::string& name) {
+  for (const auto n : {Normalization::peak, Normalization::energy, Normalization::absolute})
+    if (to_string(n) == name) return n;
+  throw OptionError("unknown normalization '" + name + "'; expected peak, energy or absolute");
+}
+
+double GlareTemplate::pixel_pitch_deg() const { return pixel_pitch_rad * 180 / std::numbers::pi; }
+
+double GlareTemplate::luminance(int x, int y) const {
+  const Vector3& weights = color_space.xyz_from_rgb()[1];
+  return weights[0] * channels[0](x, y) + weights[1] * channels[1](x, y) +
+         weights[2] * channels[2](x, y);
+}
+
+}  // namespace glare

@@ -1,0 +1,196 @@
+#include "glare/template/make_template.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <numbers>
+
+#include "glare/aperture/open_part.h"
+#include "glare/base/error.h"
+#include "glare/color/gamut.h"
+#include "glare/spectrum/observer.h"
+
+namespace glare {
+
+namespace {
+
+constexpr double kMmPerNm = 1e-6;
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+
+/// A field may be this much wider than the reach, so that one written with three digits is taken;
+/// only the very shortest wavelength, to which the eye is all but blind, is then a little short.
+constexpr double kReachTolerance = 2e-3;
+
+/// Rounded down to five digits, so that the number, given back as an option, is within the reach.
+double rounded_down(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 4);
+  return std::floor(value / unit) * unit;
+}
+
+void require_within_reach(double pixel_mm, double aperture_width_mm, const PixelGrid& grid,
+                          double field_of_view_deg, double shortest_nm) {
+  const double widest_deg = widest_field_of_view_deg(pixel_mm, shortest_nm, grid);
+  if (field_of_view_deg <= widest_deg * (1 + kReachTolerance)) return;
+  const double needed_mm = rounded_down(pixel_mm * widest_deg / field_of_view_deg);
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "a field of view of %g degrees is beyond the reach of the aperture: its pixels of "
+                "%.4g um reach %.5g degrees; give at most --fov-deg %.5g, or an aperture with "
+                "pixels of at most %.4g um (%.0f across its %g mm)",
+                field_of_view_deg, pixel_mm * 1e3, rounded_down(widest_deg),
+                rounded_down(widest_deg), needed_mm * 1e3,
+                std::ceil(aperture_width_mm / needed_mm), aperture_width_mm);
+  throw OptionError(text);
+}
+
+/// From the observer's XYZ to the template's RGB, adapted to the lamp where asked for.
+Matrix3 rgb_from_observed_xyz(const TemplateOptions& options, const Xyz& lamp_xyz) {
+  const Matrix3& rgb_from_xyz = options.color_space.rgb_from_xyz();
+  if (options.white == WhiteAdaptation::none) return rgb_from_xyz;
+  return rgb_from_xyz * bradford_adaptation(lamp_xyz, options.color_space.white_xyz());
+}
+
+template <typename T>
+std::uint64_t bytes_of(int width, int height) {
+  return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * sizeof(T);
+}
+
+double sum_of(const Image<float>& image) {
+  double sum = 0;
+  for (const float value : image.values()) sum += value;
+  return sum;
+}
+
+/// XYZ per steradian becomes RGB per steradian, in place.
+void convert(std::array<Image<float>, 3>& channels, const Matrix3& rgb_from_xyz,
+             const TemplateOptions& options) {
+  const Vector3& weights = options.color_space.xyz_from_rgb()[1];
+  const bool desaturate =
+      options.gamut == GamutMapping::desaturate && !options.color_space.is_xyz();
+  const auto x = channels[0].values(), y = channels[1].values(), z = channels[2].values();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vector3 v = rgb_from_xyz * Xyz{x[i], y[i], z[i]};
+    std::array<float, 3> rgb = {static_cast<float>(v[0]), static_cast<float>(v[1]),
+                                static_cast<float>(v[2])};
+    if (desaturate) rgb = desaturated_into_gamut(rgb, weights);
+    x[i] = rgb[0];
+    y[i] = rgb[1];
+    z[i] = rgb[2];
+  }
+}
+
+/// What a luminance per steradian is divided by.
+double normalizing_divisor(const GlareTemplate& glare_template) {
+  if (glare_template.normalization == Normalization::absolute) return 1;
+  double largest = 0, sum = 0;
+  for (int y = 0; y < glare_template.height(); ++y)
+    for (int x = 0; x < glare_template.width(); ++x) {
+      const double luminance = glare_template.luminance(x, y);
+      largest = std::max(largest, luminance);
+      sum += luminance;
+    }
+  return glare_template.normalization == Normalization::peak ? largest : sum;
+}
+
+void normalize(GlareTemplate& glare_template) {
+  const double divisor = normalizing_divisor(glare_template);
+  if (!(divisor > 0)) throw InputError("template", "no light falls inside the field of view");
+  for (auto& channel : glare_template.channels)
+    for (float& value : channel.values()) value = static_cast<float>(value / divisor);
+  glare_template.per_steradian = divisor;
+}
+
+}  // namespace
+
+WavelengthRange effective_range(const Spectrum& lamp, const TemplateOptions& options) {
+  const WavelengthRange& asked = options.wavelength_range_nm;
+  if (asked.empty() || !(asked.lo_nm > 0) || !std::isfinite(asked.hi_nm))
+    throw OptionError("the wavelength range is empty; expected two wavelengths, the shorter first");
+  const auto& observer = color_matching_functions(options.observer);
+  const WavelengthRange seen = intersection(asked, observer.range());
+  if (seen.empty()) throw OptionError("the observer sees nothing in the wavelength range");
+  const WavelengthRange range = intersection(seen, lamp.range());
+  if (range.empty())
+    throw InputError("lamp", "has no wavelength in common with the observer's range");
+  xyz_from_spectrum(lamp, observer, range);  // Throws where the lamp is dark there.
+  return range;
+}
+
+PixelGrid pixel_grid(const TemplateOptions& options) {
+  constexpr int kLargest = 65535;
+  if (options.width < 1 || options.height < 1 || options.width > kLargest ||
+      options.height > kLargest)
+    throw OptionError("a template has 1 to 65535 pixels a side");
+  const double field_rad = options.field_of_view_deg * kRadPerDeg;
+  if (!(field_rad > 0) || !(field_rad < 2))
+    throw OptionError("the field of view is an angle above 0 and below 114 degrees");
+  return {options.width, options.height, field_rad / options.width};
+}
+
+double widest_field_of_view_deg(double pixel_mm, double shortest_nm, const PixelGrid& grid) {
+  const double reach_rad = shortest_nm * kMmPerNm / pixel_mm;
+  return reach_rad / kRadPerDeg * grid.width / std::max(grid.width, grid.height);
+}
+
+FarField template_far_field(const Aperture& aperture, const TemplateOptions& options,
+                            const WavelengthRange& range) {
+  require_valid(aperture);
+  const PixelGrid grid = pixel_grid(options);
+  require_within_reach(aperture.pixel_mm(), aperture.width_mm, grid, options.field_of_view_deg,
+                       range.lo_nm);
+  const OpenPart part = open_part(aperture);
+  const std::uint64_t needed_bytes =
+      template_bytes({part.width, part.height, aperture.pixel_mm()}, options, range);
+  if (options.memory_limit_bytes != 0 && needed_bytes > options.memory_limit_bytes)
+    throw MemoryError(needed_bytes, options.memory_limit_bytes);
+  const double open_side_mm = std::min(part.width, part.height) * aperture.pixel_mm();
+  FarFieldRequest request = far_field_request(open_side_mm, grid, range);
+  request.threads = options.threads;
+  return far_field(aperture, request);
+}
+
+GlareTemplate make_template(const FarField& field, const Spectrum& lamp,
+                            const TemplateOptions& options, const std::string& lamp_name) {
+  const auto& observer = color_matching_functions(options.observer);
+  const PixelGrid grid = pixel_grid(options);
+  const WavelengthRange range = effective_range(lamp, options);
+
+  GlareTemplate result;
+  result.channels = spectral_integral(field, grid, lamp, observer, range, options.threads,
+                                      options.progress);
+  result.color_space = options.color_space;
+  result.pixel_pitch_rad = grid.pitch_rad;
+  result.normalization = options.normalization;
+  result.captured_energy = sum_of(result.channels[1]) * grid.pitch_rad * grid.pitch_rad;
+  result.lamp_xyz = xyz_from_spectrum(lamp, observer, range);
+  result.lamp = lamp_name;
+  result.observer = observer.name;
+  result.wavelength_range_nm = range;
+  result.aperture_width_mm = field.aperture_width_mm;
+  result.aperture_area_mm2 = field.energy_area_mm2;
+  result.software = "glare " GLARE_VERSION;
+
+  convert(result.channels, rgb_from_observed_xyz(options, result.lamp_xyz), options);
+  normalize(result);
+  return result;
+}
+
+GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
+                            const TemplateOptions& options, const std::string& lamp_name) {
+  const FarField field = template_far_field(aperture, options, effective_range(lamp, options));
+  return make_template(field, lamp, options, lamp_name);
+}
+
+std::uint64_t template_bytes(const ApertureSize& aperture, const TemplateOptions& options,
+                             const WavelengthRange& range) {
+  const PixelGrid grid = pixel_grid(options);
+  const double side_mm = std::min(aperture.width, aperture.height) * aperture.pixel_mm;
+  constexpr std::uint64_t kBytesPerPixel = 3 * sizeof(float);
+  return bytes_of<float>(aperture.width, aperture.height) +
+         far_field_bytes(aperture.width, aperture.height, aperture.pixel_mm,
+                         far_field_request(side_mm, grid, range)) +
+         2 * kBytesPerPixel * bytes_of<std::byte>(grid.width, grid.height);
+}
+
+}  // namespace glare

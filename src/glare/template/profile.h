@@ -1,0 +1,41 @@
+// What a template shows, in numbers: its radial profile and how its light is spread.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "glare/color/color_space.h"
+#include "glare/template/glare_template.h"
+
+namespace glare {
+
+/// Mean luminance over a ring around the axis.
+struct ProfileRing {
+  double inner_deg = 0;
+  double outer_deg = 0;
+  double mean_per_steradian = 0;
+};
+
+/// Luminance over angle: rings from the axis to the nearest border, each a factor 10^0.1 wider than
+/// the one within it, and none narrower than a pixel. Angles are direction sines in degrees; a pixel
+/// belongs to the ring that its centre is in.
+std::vector<ProfileRing> radial_profile(const GlareTemplate& glare_template);
+
+/// Share of all the light that falls within `radius_deg` of the axis, 0 to 1; pixels on the circle
+/// count by the share of their area inside. Nothing where the circle isn't wholly inside the
+/// template's pixels.
+std::optional<double> encircled_energy(const GlareTemplate& glare_template, double radius_deg);
+
+/// The brightest pixel, in the template's own normalisation.
+struct Peak {
+  int x = 0;
+  int y = 0;
+  double luminance = 0;
+};
+Peak peak(const GlareTemplate& glare_template);
+
+/// Chromaticity of all the light in the template together.
+Chromaticity mean_chromaticity(const GlareTemplate& glare_template);
+
+}  // namespace glare

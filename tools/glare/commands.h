@@ -1,0 +1,19 @@
+// The subcommands of the program.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace glare::tool {
+
+/// Adds a subcommand and its options to the program. The function returned runs it; what it throws
+/// becomes the program's message and exit status.
+using Command = std::function<void()>;
+Command add_template_command(CLI::App& program);
+Command add_info_command(CLI::App& program);
+Command add_lamps_command(CLI::App& program);
+
+}  // namespace glare::tool
