@@ -1,34 +1,12 @@
-# The libraries Glare stands on, each found in the way that works on Debian 12 and Ubuntu 24.04
-# as well as on newer releases.
-find_package(PkgConfig REQUIRED)
-find_package(Threads REQUIRED)
-
-# Debian ships no CMake config for single-precision FFTW, and no .pc file for its variants.
-pkg_check_modules(FFTW3F REQUIRED IMPORTED_TARGET fftw3f)
-find_package(TBB CONFIG REQUIRED)
-
-find_package(Imath CONFIG REQUIRED)
-find_package(OpenEXR CONFIG REQUIRED)
-pkg_check_modules(OCIO REQUIRED IMPORTED_TARGET OpenColorIO)
-pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
-
-find_package(OpenImageIO CONFIG REQUIRED)
-# Debian's OpenImageIO config names include folders of packages that need not be installed;
-# CMake stops at a missing one.
-foreach(target OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util)
-  if(TARGET ${target})
-    get_target_property(folders ${target} INTERFACE_INCLUDE_DIRECTORIES)
-    if(folders)
-      set(present "")
-      foreach(folder IN LISTS folders)
-        if(folder MATCHES "^\\$<" OR EXISTS "${folder}")
-          list(APPEND present "${folder}")
-        endif()
-      endforeach()
-      set_target_properties(${target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${present}")
-    endif()
-  endif()
-endforeach()
+# What this build needs.
+include(GlareLibraries)
+glare_find_libraries(missing core io)
+if(missing)
+  list(JOIN missing "\n  " missing)
+  message(FATAL_ERROR "Libraries that Glare needs were not found (Debian and Ubuntu packages in "
+                      "brackets):\n  ${missing}\nInstall them, or name their folders in "
+                      "CMAKE_PREFIX_PATH and PKG_CONFIG_PATH.")
+endif()
 
 if(GLARE_BUILD_TOOLS)
   find_package(CLI11 CONFIG REQUIRED)

@@ -1,0 +1,44 @@
+# `cmake --install`: the libraries and their headers, the program, a package for find_package(glare
+# CONFIG) with the components core and io, and one for pkg-config. Nothing in it holds the prefix:
+# the installed tree can be moved.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glare)
+set(package_build_dir ${PROJECT_BINARY_DIR}/package)
+
+# One export a component, so that core can be used where io's libraries are missing.
+foreach(component core io)
+  install(TARGETS glare_${component} EXPORT glare-${component}-targets
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT glare-${component}-targets NAMESPACE glare:: DESTINATION ${package_dir})
+endforeach()
+if(GLARE_BUILD_TOOLS)
+  install(TARGETS glare RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+configure_package_config_file(cmake/glareConfig.cmake.in ${package_build_dir}/glareConfig.cmake
+                              INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${package_build_dir}/glareConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${package_build_dir}/glareConfig.cmake ${package_build_dir}/glareConfigVersion.cmake
+              cmake/GlareLibraries.cmake
+        DESTINATION ${package_dir})
+
+# Static libraries leave it to the program to link what they stand on.
+if(BUILD_SHARED_LIBS)
+  set(pc_core_requires "")
+  set(pc_io_requires "")
+else()
+  set(pc_core_requires "fftw3f tbb")
+  set(pc_io_requires "OpenImageIO OpenEXR Imath OpenColorIO libcrypto")
+endif()
+file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+foreach(name glare-core glare)
+  configure_file(cmake/${name}.pc.in ${package_build_dir}/${name}.pc @ONLY)
+  install(FILES ${package_build_dir}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
+
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)

@@ -9,6 +9,7 @@
 #include "glare/color/color_space.h"
 #include "glare/color/gamut.h"
 #include "glare/color/matrix.h"
+#include "glare/color/tone_map.h"
 #include "glare/diffraction/far_field.h"
 #include "glare/integration/spectral_integral.h"
 #include "glare/spectrum/lamps.h"

@@ -46,7 +46,8 @@ int node_count(const Tile& tile, const FarField& field, double pitch_rad,
 /// are interpolated and need the denser samples; wide ones average over many samples.
 double padding_for(double pixel_cycles) {
   if (pixel_cycles < 0.5) return 6;
-  return pixel_cycles < 2 ? 4 : 3;
+  if (pixel_cycles < 1) return 4;
+  return pixel_cycles < 3 ? 3 : 2.5;
 }
 
 /// Tiles that cover the half plane dx >= 0; the other half follows by symmetry.

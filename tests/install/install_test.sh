@@ -1,0 +1,116 @@
+#!/usr/bin/env bash
+# Tests what `cmake --install` makes. install_test.sh STEP SETTINGS; CMakeLists.txt lists the steps
+# and writes the settings.
+# shellcheck disable=SC2154  # variables from the settings
+set -euo pipefail
+export LC_ALL=C
+step=$1
+# shellcheck disable=SC1090
+source "$2"
+prefix=$work/moved
+libraries=$prefix/$lib_dir
+
+fail() { printf 'install_test: %s: %s\n' "$step" "$*" >&2; exit 1; }
+
+# The files as expected_files.txt names them: what depends on machine or version is a @NAME@.
+installed_files() {
+  (cd "$prefix" && find . ! -type d) | sed -e 's|^\./||' -e "/^${doc_dir//\//\\/}\//d" \
+    -e "s|^$lib_dir/|@LIB@/|" -e "s|^$include_dir/|@INCLUDE@/|" -e "s|^$bin_dir/|@BIN@/|" \
+    -e "s|\.so\.${version//./\\.}$|.so.@VERSION@|" -e "s|\.so\.${abi_version//./\\.}$|.so.@ABI@|" \
+    -e "s|-targets-${build_type,,}\.cmake$|-targets-@TYPE@.cmake|" | sort
+}
+
+expected_files() {
+  if [ "$shared" = ON ]; then cat "$source_dir/tests/install/expected_files.txt"
+  else sed -e '/\.so\./d' -e 's/\.so$/.a/' "$source_dir/tests/install/expected_files.txt"
+  fi | sort
+}
+
+# Two pictures, 400 x 400 and 2 mm wide: a round pupil, and eyelashes as slanted dark lines.
+make_pictures() {
+  awk 'BEGIN { print "P2 400 400 255"; for (y = 0; y < 400; ++y) for (x = 0; x < 400; ++x)
+       print ((x - 200)^2 + (y - 200)^2 < 180^2) ? 255 : 0 }' >"$1/pupil.pgm"
+  awk 'BEGIN { print "P2 400 400 255"; for (y = 0; y < 400; ++y) for (x = 0; x < 400; ++x)
+       print (y < 200 && (3 * x + y) % 200 < 30) ? 0 : 255 }' >"$1/eyelashes.pgm"
+}
+
+# build_with_cmake NAME SOURCE_FOLDER [OPTION...]: builds a project against the installed package.
+build_with_cmake() {
+  local build=$work/$1 source=$2
+  shift 2
+  "$cmake" -S "$source" -B "$build" -G "$generator" -DCMAKE_PREFIX_PATH="$prefix" \
+    -DCMAKE_BUILD_TYPE="$build_type" -DCMAKE_CXX_COMPILER="$cxx" \
+    -DCMAKE_CXX_COMPILER_LAUNCHER="$cxx_launcher" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF "$@"
+  "$cmake" --build "$build" --config "$build_type"
+  grep -q "^glare_DIR:PATH=$libraries/cmake/glare$" "$build/CMakeCache.txt" ||
+    fail "another glare than the installed one was found"
+}
+
+require_template() { "$prefix/$bin_dir/glare" info "$1" | grep 'per steradian'; }
+
+require_light() {
+  local loaded
+  loaded=$(ldd "$1")
+  if grep -iE 'not found|OpenImageIO|OpenEXR|OpenColorIO|libglare_io' <<<"$loaded"; then
+    fail "$1 uses glare::core only, but loads these (or lacks them)"
+  fi
+}
+
+case $step in
+  tree)
+    rm -rf "$work/installed" "$prefix"
+    "$cmake" --install "$build_dir" --config "$build_type" --prefix "$work/installed" >/dev/null
+    mv "$work/installed" "$prefix"
+    ;;
+  files)
+    diff -u --label expected_files.txt --label installed <(expected_files) <(installed_files) ||
+      fail "other files are installed than tests/install/expected_files.txt lists; if that is meant, edit it"
+    for file in LICENSE README.md; do
+      [ ! -e "$source_dir/$file" ] || cmp "$source_dir/$file" "$prefix/$doc_dir/$file"
+    done
+    ;;
+  relocation)
+    found=$(grep -rlIF -e "$work" -e "$source_dir" -e "$build_dir" "$prefix" \
+              --include='*.cmake' --include='*.pc' --include='*.h' || true)
+    [ -z "$found" ] || fail "these name a folder of the build: $found"
+    ;;
+  program)
+    out=$work/program
+    mkdir -p "$out"
+    rm -f "$out"/*.exr
+    env -u LD_LIBRARY_PATH "$prefix/$bin_dir/glare" template --size 64 -o "$out/eye.exr"
+    require_template "$out/eye.exr"
+    ;;
+  cmake_package)
+    build_with_cmake examples "$source_dir/examples"
+    out=$work/examples
+    make_pictures "$out"
+    rm -f "$out"/*.exr
+    "$out/make_template" "$out/pupil.pgm" "$out/eyelashes.pgm" 2 D65 "$out/template.exr"
+    require_template "$out/template.exr"
+    "$out/make_template" "$out/pupil.pgm" "$out/eyelashes.pgm" 2 \
+      "$source_dir/data/lamps/cie_a.csv" "$out/template_a.exr"
+    if cmp -s "$out/template.exr" "$out/template_a.exr"; then fail "two lamps, one template"; fi
+    ;;
+  core_only)
+    build_with_cmake core_only "$source_dir/tests/install/core_only" \
+      -DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON
+    "$work/core_only/core_only"
+    require_light "$work/core_only/core_only"
+    ;;
+  pkg_config)
+    export PKG_CONFIG_PATH=$libraries/pkgconfig LD_LIBRARY_PATH=$libraries
+    mkdir -p "$work/pkg_config"
+    program=$work/pkg_config/core_only
+    # shellcheck disable=SC2046
+    $cxx_launcher "$cxx" -std=c++20 -c "$source_dir/tests/install/core_only/core_only.cpp" \
+      -o "$program.o" $("$pkg_config" --cflags glare-core)
+    # shellcheck disable=SC2046
+    "$cxx" -o "$program" "$program.o" $("$pkg_config" --libs glare-core)
+    "$program"
+    require_light "$program"
+    [ "$("$pkg_config" --modversion glare)" = "$version" ] || fail "glare.pc has another version"
+    "$pkg_config" --libs glare | grep -- -lglare_io
+    ;;
+  *) fail "no such step" ;;
+esac
