@@ -34,14 +34,19 @@ make_pictures() {
        print (y < 200 && (3 * x + y) % 200 < 30) ? 0 : 255 }' >"$1/eyelashes.pgm"
 }
 
-# build_with_cmake NAME SOURCE_FOLDER [OPTION...]: builds a project against the installed package.
-build_with_cmake() {
+# built NAME SOURCE_FOLDER [OPTION...]: configures and builds a project in work/NAME.
+built() {
   local build=$work/$1 source=$2
   shift 2
-  "$cmake" -S "$source" -B "$build" -G "$generator" -DCMAKE_PREFIX_PATH="$prefix" \
-    -DCMAKE_BUILD_TYPE="$build_type" -DCMAKE_CXX_COMPILER="$cxx" \
-    -DCMAKE_CXX_COMPILER_LAUNCHER="$cxx_launcher" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF "$@"
+  "$cmake" -S "$source" -B "$build" -G "$generator" -DCMAKE_BUILD_TYPE="$build_type" \
+    -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_CXX_COMPILER_LAUNCHER="$cxx_launcher" "$@"
   "$cmake" --build "$build" --config "$build_type"
+}
+
+# built_with_package NAME SOURCE_FOLDER [OPTION...]: the same, against the installed package.
+built_with_package() {
+  local build=$work/$1
+  built "$@" -DCMAKE_PREFIX_PATH="$prefix"
   grep -q "^glare_DIR:PATH=$libraries/cmake/glare$" "$build/CMakeCache.txt" ||
     fail "another glare than the installed one was found"
 }
@@ -82,7 +87,7 @@ case $step in
     require_template "$out/eye.exr"
     ;;
   cmake_package)
-    build_with_cmake examples "$source_dir/examples"
+    built_with_package examples "$source_dir/examples"
     out=$work/examples
     make_pictures "$out"
     rm -f "$out"/*.exr
@@ -93,7 +98,7 @@ case $step in
     if cmp -s "$out/template.exr" "$out/template_a.exr"; then fail "two lamps, one template"; fi
     ;;
   core_only)
-    build_with_cmake core_only "$source_dir/tests/install/core_only" \
+    built_with_package core_only "$source_dir/tests/install/core_only" \
       -DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON
     "$work/core_only/core_only"
     require_light "$work/core_only/core_only"
@@ -111,6 +116,22 @@ case $step in
     require_light "$program"
     [ "$("$pkg_config" --modversion glare)" = "$version" ] || fail "glare.pc has another version"
     "$pkg_config" --libs glare | grep -- -lglare_io
+    ;;
+  static)
+    prefix=$work/static_installed
+    libraries=$prefix/$lib_dir
+    built static "$source_dir" -DBUILD_SHARED_LIBS=OFF -DGLARE_BUILD_TESTS=OFF \
+      -DGLARE_BUILD_TOOLS=OFF -DCMAKE_INSTALL_LIBDIR="$lib_dir"
+    rm -rf "$prefix"
+    "$cmake" --install "$work/static" --config "$build_type" --prefix "$prefix" >/dev/null
+    built_with_package static_examples "$source_dir/examples"
+    built_with_package static_core_only "$source_dir/tests/install/core_only" \
+      -DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON
+    "$work/static_core_only/core_only"
+    require_light "$work/static_core_only/core_only"
+    out=$work/static_examples
+    make_pictures "$out"
+    "$out/make_template" "$out/pupil.pgm" "$out/eyelashes.pgm" 2 D65 "$out/template.exr"
     ;;
   *) fail "no such step" ;;
 esac
