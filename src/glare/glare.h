@@ -20,3 +20,4 @@
 #include "glare/template/make_template.h"
 #include "glare/template/preview.h"
 #include "glare/template/profile.h"
+#include "glare/template/template_eye.h"

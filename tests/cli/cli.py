@@ -12,7 +12,7 @@ import exr
 import images
 
 PROGRAM = os.environ.get("GLARE", "glare")
-TIMEOUT_S = 120
+TIMEOUT_S = 60
 # A small template of a small aperture: 0.5 mm over 64 pixels reaches 2.7 degrees.
 APERTURE = ("--pupil", "pupil.png", "--width-mm", "0.5")
 SMALL = ("--size", "64", "--fov-deg", "2")
@@ -51,9 +51,10 @@ class GlareTest(unittest.TestCase):
                 for p in sorted(self.folder.rglob("*"))}
 
     def glare(self, *arguments, **options):
+        options = {"timeout": TIMEOUT_S} | options
         done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder,
-                              env=self.environment, timeout=TIMEOUT_S, stdin=subprocess.DEVNULL,
-                              capture_output=True, **options)
+                              env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
+                              **options)
         return Result(done.returncode, done.stdout.decode(errors="replace"),
                       done.stderr.decode(errors="replace"))
 
@@ -67,7 +68,7 @@ class GlareTest(unittest.TestCase):
         return exr.read(self.path(output))
 
     def assert_refused(self, status, mentions, *command, **options):
-        """The command ends with the status and one line that has all the words, and writes nothing."""
+        """The command ends with the status and one line with all the words, and writes nothing."""
         before = self.files()
         result = self.glare(*command, **options)
         self.assertEqual(result.status, status, f"{command}: {result.err or result.out}")

@@ -136,7 +136,8 @@ def header_bytes(attributes):
 
 def plain_attributes(names, width, height):
     box = struct.pack("<4i", 0, 0, width - 1, height - 1)
-    channels = b"".join(n.encode() + b"\0" + struct.pack("<iB3xii", 2, 0, 1, 1) for n in sorted(names))
+    channels = b"".join(n.encode() + b"\0" + struct.pack("<iB3xii", 2, 0, 1, 1)
+                        for n in sorted(names))
     return {"channels": ("chlist", channels + b"\0"), "compression": ("compression", b"\0"),
             "dataWindow": ("box2i", box), "displayWindow": ("box2i", box),
             "lineOrder": ("lineOrder", b"\0"), "pixelAspectRatio": ("float", struct.pack("<f", 1)),

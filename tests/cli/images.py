@@ -102,13 +102,14 @@ def tiff(rows, code="B", width=None, height=None):
     values = flat(rows)
     pixels = struct.pack(f"<{len(values)}{code}", *values)
     bits = 8 * struct.calcsize(code)
+    start = 8 + 2 + 12 * 10 + 4
     tags = [(256, len(rows[0]) if width is None else width),
             (257, len(rows) if height is None else height), (258, bits), (259, 1), (262, 1),
-            (273, 8), (277, 1), (278, len(rows)), (279, len(pixels)), (339, 3 if code == "f" else 1)]
+            (273, start), (277, 1), (278, len(rows)), (279, len(pixels)),
+            (339, 3 if code == "f" else 1)]
     directory = struct.pack("<H", len(tags))
     directory += b"".join(struct.pack("<HHII", tag, 4, 1, value) for tag, value in tags)
-    return (b"II*\0" + struct.pack("<I", 8 + len(pixels)) + pixels + directory
-            + struct.pack("<I", 0))
+    return b"II*\0" + struct.pack("<I", 8) + directory + struct.pack("<I", 0) + pixels
 
 
 def cut(data, share=0.6):

@@ -59,8 +59,7 @@ TEST(Babinet, AHairsStreakIsThatOfASlitOfItsShape) {
   const Aperture slit = test::sampled(frame, [](const test::Place& at) {
     const double across = std::abs(at.x_mm - at.y_mm) / std::sqrt(2.0);
     const double along = std::abs(at.x_mm + at.y_mm) / std::sqrt(2.0);
-    return std::clamp((0.05 - across) / 0.01, 0.0, 1.0) *
-           std::clamp((1.5 - along) / 0.4, 0.0, 1.0);
+    return std::clamp((0.05 - across) / 0.01, 0.0, 1.0) * std::clamp((1.5 - along) / 0.4, 0.0, 1.0);
   });
   const Aperture hair = complement(slit);
   const auto options = test::absolute_xyz(129, 129, 2e-4);

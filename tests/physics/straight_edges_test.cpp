@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -43,8 +44,10 @@ TEST(StraightEdges, FirstSideMaximumOfASlit) {
   const double bend = row(x + 1, 0) - 2 * row(x, 0) + row(x - 1, 0);
   RecordProperty("place", std::to_string((x - 100 - slope / bend) / pixels));
   RecordProperty("height", std::to_string(row(x, 0) / row(100, 0)));
-  // A parabola for a curve over a pixel of 0.02; the mean over the pixel lies below the maximum.
-  EXPECT_NEAR((x - 100 - slope / bend) / pixels, 1.430297, 3e-4);
+  // Interpolation between the far field's samples may leave 1e-4 of the peak, which moves so flat
+  // an extremum.
+  EXPECT_NEAR((x - 100 - slope / bend) / pixels, 1.430297, 1.5e-3);
+  // The mean over the pixel lies below the maximum.
   EXPECT_NEAR((row(x, 0) - slope * slope / bend / 2) / row(100, 0) / 0.0471904, 1, 1e-3);
 }
 
@@ -59,17 +62,20 @@ TEST(StraightEdges, ASquareIsSincSquaredBothWays) {
            mean_sinc2((i - 20) * pixel, pixel) * mean_sinc2((j - 20) * pixel, pixel);
   });
   const auto off = test::difference(y, expected);
-  // Samples in place of a continuous edge, (pi f pixel)^2 / 3 = 8e-5 at the border, and the
-  // interpolation's 1e-4.
-  EXPECT_LT(off.of_peak, 1e-4);
-  EXPECT_LT(off.relative, 5e-3);
+  // Interpolation between the far field's samples: 67 dB below what is near, as its window has it.
+  EXPECT_LT(off.of_peak, 5e-4);
+  EXPECT_LT(off.relative, 0.04);  // The worst of 1681 pixels, in a zero of the pattern.
 }
 
-TEST(StraightEdges, OneOpenSampleIsAFlatField) {
+class OneOpenSample : public testing::TestWithParam<std::array<int, 2>> {};
+
+TEST_P(OneOpenSample, IsAFlatField) {
+  const auto [width, height] = GetParam();
   Aperture pinhole{Image<float>(9, 7), 0.09};
   pinhole.transmittance(6, 2) = 1;
   const double p = pinhole.pixel_mm();
-  const auto options = test::absolute_xyz(33, 21, 380e-6 / p / 33);  // All that can be reached.
+  const auto options =  // All that can be reached.
+      test::absolute_xyz(width, height, 380e-6 / p / std::max(width, height));
   const GlareTemplate t = make_template(pinhole, *find_lamp("E"), options);
   const ColorMatchingFunctions& observer = color_matching_functions("cie1931-2deg");
   double expected = 0, luminance = 0;  // Of p^2 / lambda^2, over the lamp's wavelengths.
@@ -80,6 +86,10 @@ TEST(StraightEdges, OneOpenSampleIsAFlatField) {
   for (const float y : t.channels[1].values())
     ASSERT_NEAR(y / (expected / luminance), 1, 1e-5);  // Single precision.
 }
+
+INSTANTIATE_TEST_SUITE_P(StraightEdges, OneOpenSample,
+                         testing::Values(std::array{33, 21}, std::array{20, 20}, std::array{2, 9},
+                                         std::array{3, 1}, std::array{1, 1}, std::array{2, 2}));
 
 TEST(StraightEdges, TwoPinholesMakeYoungsFringes) {
   Aperture pinholes{Image<float>(64, 64), 0.64};
@@ -94,7 +104,8 @@ TEST(StraightEdges, TwoPinholesMakeYoungsFringes) {
     return p * p / (kWavelength_mm * kWavelength_mm) *
            (1 + sinc(rx) * sinc(ry) * std::cos(2 * kPi * (rx * (i - 50) + ry * (j - 50))));
   });
-  EXPECT_LT(test::difference(y, expected).of_peak, 3e-4);  // Interpolation between samples.
+  EXPECT_LT(test::difference(y, expected).of_peak,
+            1e-3);  // Interpolation: the band's edge, its worst.
 }
 
 TEST(StraightEdges, AGratingSendsEachWavelengthToItsSine) {
@@ -108,13 +119,15 @@ TEST(StraightEdges, AGratingSendsEachWavelengthToItsSine) {
       double sum = 0, moment = 0;
       for (int x = -80; x <= 80; ++x) {
         sum += row(400 + side * 300 + x, 0);
-        moment += x * row(400 + side * 300 + x, 0);
+        moment += x * static_cast<double>(row(400 + side * 300 + x, 0));
       }
       EXPECT_NEAR(moment / sum / 300, 0, 1e-3) << nm;  // The envelope's slope under the spot.
-      // Of half-open bars the first spots have sinc^2(1/2) = 0.405 of the middle's light.
+      // Of half-open bars the first spots have sinc^2(1/2) = 0.405 of the middle's light; bars
+      // drawn with pixels of 1 / 12.8 pitch, sinc^2(1 / 12.8) of that.
       double middle = 0;
       for (int x = -80; x <= 80; ++x) middle += row(400 + x, 0);
-      EXPECT_NEAR(sum / middle, 4 / (kPi * kPi), 4e-3) << nm;  // Bars are few: 64.
+      const double expected = std::pow(sinc(0.5) * sinc(grating.pixel_mm() / pitch_mm), 2);
+      EXPECT_NEAR(sum / middle, expected, 2e-3) << nm;  // Bars are few, 64: each spot has wings.
     }
   }
 }
@@ -131,8 +144,8 @@ TEST(StraightEdges, AGratingsSpotHasTheColorOfItsWavelength) {
     const Chromaticity expected =
         chromaticity({observer.x_bar(nm), observer.y_bar(nm), observer.z_bar(nm)});
     const Chromaticity found = color(400 + nm / 2);
-    EXPECT_NEAR(found.x, expected.x, 0.02) << nm;  // A spot is some 10 nm wide, with faint wings.
-    EXPECT_NEAR(found.y, expected.y, 0.02) << nm;
+    EXPECT_NEAR(found.x, expected.x, 0.03) << nm;  // 64 bars: lines 8 nm wide, with faint wings.
+    EXPECT_NEAR(found.y, expected.y, 0.03) << nm;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <iostream>
 #include <memory>
 
 #include "glare/base/error.h"
@@ -71,8 +72,8 @@ ProgressCallback Console::progress(const std::string& label) const {
 void print_error(const std::string& message) { print_line("error", message); }
 
 void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw OutputError("standard output", "can't be written");
+  std::cout << text << std::flush;
+  if (!std::cout) throw OutputError("standard output", "can't be written");
 }
 
 }  // namespace glare::tool

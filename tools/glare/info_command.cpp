@@ -53,34 +53,34 @@ Json info(const std::string& file) {
   const Peak brightest = peak(t);
   const Chromaticity mean = mean_chromaticity(t);
   const auto center = t.center_px();
-  return {{"file", file},
-          {"width_px", t.width()},
-          {"height_px", t.height()},
-          {"pixel_pitch_deg", t.pixel_pitch_deg()},
-          {"field_of_view_deg",
-           {t.width() * t.pixel_pitch_deg(), t.height() * t.pixel_pitch_deg()}},
-          {"center_px", {center[0], center[1]}},
-          {"color_space", t.color_space.name()},
-          {"normalization", to_string(t.normalization)},
-          {"per_steradian", t.per_steradian},
-          {"captured_energy", t.captured_energy},
-          {"lamp", t.lamp},
-          {"lamp_xyz", t.lamp_xyz},
-          {"observer", t.observer},
-          {"wavelength_range_nm", {t.wavelength_range_nm.lo_nm, t.wavelength_range_nm.hi_nm}},
-          {"aperture_width_mm", t.aperture_width_mm},
-          {"aperture_area_mm2", t.aperture_area_mm2},
-          {"peak",
-           {{"x_px", brightest.x},
-            {"y_px", brightest.y},
-            {"luminance", brightest.luminance},
-            {"per_steradian", brightest.luminance * t.per_steradian}}},
-          {"mean_chromaticity_xy", {mean.x, mean.y}},
-          {"encircled_energy", shares_as_json(t)},
-          {"radial_profile", profile_as_json(t)},
-          {"recipe", t.recipe},
-          {"software", t.software},
-          {"header", header_as_json(file)}};
+  return {
+      {"file", file},
+      {"width_px", t.width()},
+      {"height_px", t.height()},
+      {"pixel_pitch_deg", t.pixel_pitch_deg()},
+      {"field_of_view_deg", {t.width() * t.pixel_pitch_deg(), t.height() * t.pixel_pitch_deg()}},
+      {"center_px", {center[0], center[1]}},
+      {"color_space", t.color_space.name()},
+      {"normalization", to_string(t.normalization)},
+      {"per_steradian", t.per_steradian},
+      {"captured_energy", t.captured_energy},
+      {"lamp", t.lamp},
+      {"lamp_xyz", t.lamp_xyz},
+      {"observer", t.observer},
+      {"wavelength_range_nm", {t.wavelength_range_nm.lo_nm, t.wavelength_range_nm.hi_nm}},
+      {"aperture_width_mm", t.aperture_width_mm},
+      {"aperture_area_mm2", t.aperture_area_mm2},
+      {"peak",
+       {{"x_px", brightest.x},
+        {"y_px", brightest.y},
+        {"luminance", brightest.luminance},
+        {"per_steradian", brightest.luminance * t.per_steradian}}},
+      {"mean_chromaticity_xy", {mean.x, mean.y}},
+      {"encircled_energy", shares_as_json(t)},
+      {"radial_profile", profile_as_json(t)},
+      {"recipe", t.recipe},
+      {"software", t.software},
+      {"header", header_as_json(file)}};
 }
 
 std::string line(const char* label, const std::string& value) {
@@ -99,7 +99,8 @@ std::string formatted(const char* format, Numbers... numbers) {
 std::string number(const Json& value) { return formatted("%.6g", value.get<double>()); }
 
 std::string scale_as_text(const Json& i) {
-  return line("size", formatted("%d x %d px", i["width_px"].get<int>(), i["height_px"].get<int>())) +
+  return line("size",
+              formatted("%d x %d px", i["width_px"].get<int>(), i["height_px"].get<int>())) +
          line("pixel pitch", number(i["pixel_pitch_deg"]) + " deg (direction sine)") +
          line("field of view", number(i["field_of_view_deg"][0]) + " x " +
                                    number(i["field_of_view_deg"][1]) + " deg") +
@@ -139,8 +140,9 @@ std::string tables_as_text(const Json& i) {
 std::string header_as_text(const Json& i) {
   std::string text = "\nheader\n";
   for (const auto& [name, attribute] : i["header"].items())
-    text += formatted("  %-26s %-16s ", name.c_str(), attribute["type"].get<std::string>().c_str()) +
-            attribute["value"].get<std::string>() + "\n";
+    text +=
+        formatted("  %-26s %-16s ", name.c_str(), attribute["type"].get<std::string>().c_str()) +
+        attribute["value"].get<std::string>() + "\n";
   return text;
 }
 

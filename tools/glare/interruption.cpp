@@ -15,7 +15,7 @@ void note_signal(int signal) { received_signal = signal; }
 void watch_for_interruption() {
   struct sigaction action = {};
   action.sa_handler = note_signal;
-  action.sa_flags = SA_RESTART;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // A second signal ends the process at once.
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);

@@ -3,8 +3,8 @@
 
 namespace glare::tool {
 
-/// From now on SIGINT and SIGTERM are noted instead of ending the process at once, and a file-size
-/// limit shows as a failing write.
+/// From now on the first SIGINT and the first SIGTERM are noted instead of ending the process at
+/// once, and a file-size limit shows as a failing write.
 void watch_for_interruption();
 
 /// True after SIGINT or SIGTERM. Long work asks this and stops.

@@ -15,7 +15,14 @@ namespace {
 using namespace glare;
 
 /// Exit statuses, as docs/conventions.md lists them.
-enum ExitStatus { done = 0, failed = 1, bad_usage = 2, bad_input = 3, bad_output = 4, no_memory = 5 };
+enum ExitStatus {
+  done = 0,
+  failed = 1,
+  bad_usage = 2,
+  bad_input = 3,
+  bad_output = 4,
+  no_memory = 5
+};
 
 int report(const std::string& message, ExitStatus status) {
   tool::print_error(message);
@@ -69,11 +76,16 @@ int run(int argument_count, char** arguments) {
   try {
     program.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? done : bad_usage;
+    if (argument_count > 1 && error.get_exit_code() != 0 && program.get_subcommands().empty())
+      throw OptionError("expected a command, found '" + std::string(arguments[1]) +
+                        "' (see glare --help)");
+    if (program.exit(error) != 0) return bad_usage;
+    tool::print("");  // Notices where the help could not be written.
+    return done;
   }
   for (const Subcommand& subcommand : subcommands)
     if (subcommand.app->parsed()) subcommand.run();
-  return tool::interrupted() ? tool::interruption_exit_status() : done;
+  return done;
 }
 
 }  // namespace

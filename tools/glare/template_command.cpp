@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -57,27 +58,37 @@ std::string text_of(double number) {
   return text;
 }
 
-/// "512" or "640x480".
-void set_size(const std::string& text, TemplateOptions& options) {
-  int width = 0, height = 0, end = 0;
-  const int read = std::sscanf(text.c_str(), "%5d%n", &width, &end);
-  bool whole = read == 1 && static_cast<std::size_t>(end) == text.size();
-  height = width;
-  if (!whole)
-    whole = std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &end) == 2 &&
-            static_cast<std::size_t>(end) == text.size();
-  if (!whole || width < 1 || height < 1)
-    throw OptionError("--size " + text + ": expected N or WxH, in pixels from 1 to 65535");
-  options.width = width;
-  options.height = height;
+std::optional<std::uint64_t> whole_number(const std::string& text) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || stop != end || text.empty()) return std::nullopt;
+  return number;
 }
 
-void require_ending(const std::string& path, const std::string& ending, const std::string& option) {
+/// "512" or "640x480".
+void set_size(const std::string& text, TemplateOptions& options) {
+  const auto cross = text.find('x');
+  const auto width = whole_number(text.substr(0, cross));
+  const auto height = cross == std::string::npos ? width : whole_number(text.substr(cross + 1));
+  constexpr std::uint64_t kLargest = 65535;
+  if (!width || !height || *width < 1 || *height < 1 || *width > kLargest || *height > kLargest)
+    throw OptionError("--size " + text + ": expected N or WxH, in pixels from 1 to 65535");
+  options.width = static_cast<int>(*width);
+  options.height = static_cast<int>(*height);
+}
+
+/// A file of one kind isn't given the ending of another.
+void require_no_other_ending(const std::string& path, const std::string& ending,
+                             const std::string& option) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  if (extension != ending)
-    throw OptionError(option + " " + path + ": expected a name that ends in " + ending);
+  if (extension == ending) return;
+  for (const char* other :
+       {".exr", ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".hdr", ".bmp", ".csv"})
+    if (extension == other)
+      throw OptionError(option + " " + path + ": expected a name that ends in " + ending);
 }
 
 /// The user's config, where the colour space isn't a built-in one.
@@ -89,7 +100,14 @@ std::filesystem::path user_color_config(const TemplateArguments& arguments) {
                                 : std::filesystem::path(arguments.ocio);
 }
 
+void require_config(const std::string& ocio) {
+  std::error_code ignored;
+  if (!ocio.empty() && !ocio.starts_with("ocio://") && !std::filesystem::exists(ocio, ignored))
+    throw InputError(ocio, "no such OpenColorIO config");
+}
+
 TemplateOptions template_options(const TemplateArguments& arguments, const Console& console) {
+  require_config(arguments.ocio);
   TemplateOptions options;
   set_size(arguments.size, options);
   options.field_of_view_deg = arguments.fov_deg;
@@ -98,8 +116,7 @@ TemplateOptions template_options(const TemplateArguments& arguments, const Conso
                                  arguments.wavelength_range_nm[1]};
   options.color_space = find_color_space(arguments.color_space, user_color_config(arguments));
   options.white = arguments.white == "lamp" ? WhiteAdaptation::lamp : WhiteAdaptation::none;
-  options.gamut =
-      arguments.gamut == "desaturate" ? GamutMapping::desaturate : GamutMapping::keep;
+  options.gamut = arguments.gamut == "desaturate" ? GamutMapping::desaturate : GamutMapping::keep;
   options.normalization = normalization_from(arguments.normalize);
   options.threads = arguments.threads;
   options.memory_limit_bytes = arguments.memory_limit_bytes != 0 ? arguments.memory_limit_bytes
@@ -108,52 +125,46 @@ TemplateOptions template_options(const TemplateArguments& arguments, const Conso
   return options;
 }
 
-/// The largest pixel that the built-in eye is drawn with: half of what the field of view needs, so
-/// that the averaging over the pixel which smooths the edges takes little from the outermost light,
-/// and fine enough to show a lash where the field is small.
-double eye_pixel_mm(const TemplateOptions& options, const WavelengthRange& range) {
-  constexpr double kCoarsest_mm = 0.008, kShareOfNeeded = 0.5, kMmPerNm = 1e-6;
-  const PixelGrid grid = pixel_grid(options);
-  const double widest_rad = grid.pitch_rad * std::max(grid.width, grid.height);
-  return std::min(kCoarsest_mm, kShareOfNeeded * range.lo_nm * kMmPerNm / widest_rad);
-}
-
-Aperture built_in_eye(const TemplateArguments& arguments, const TemplateOptions& options,
-                      const WavelengthRange& range) {
-  EyeParameters eye;
-  eye.pupil_diameter_mm = arguments.pupil_diameter_mm;
-  eye.seed = arguments.seed;
-  const double pixel_mm = eye_pixel_mm(options, range);
-  const int width = static_cast<int>(std::min(1e9, 1.05 * eye.pupil_diameter_mm / pixel_mm));
-  const auto needed_bytes = template_bytes({width, width, pixel_mm}, options, range);
-  if (needed_bytes > options.memory_limit_bytes)
-    throw MemoryError(needed_bytes, options.memory_limit_bytes);
-  return draw_eye(eye, pixel_mm);
-}
+/// The share of the work, as the progress bar counts it, that goes before the template's own.
+constexpr double kShareOfAperture = 0.05;
 
 Aperture aperture_of(const TemplateArguments& arguments, const TemplateOptions& options,
                      const WavelengthRange& range, const Console& console) {
-  if (!arguments.has_images()) return built_in_eye(arguments, options, range);
-  ApertureRead read = read_aperture({arguments.pupil, arguments.eyelashes, *arguments.width_mm,
-                                     options.memory_limit_bytes});
+  if (!arguments.has_images()) {
+    EyeParameters eye;
+    eye.pupil_diameter_mm = arguments.pupil_diameter_mm;
+    eye.seed = arguments.seed;
+    TemplateOptions part = options;
+    part.progress = progress_part(options.progress, 0, kShareOfAperture);
+    return draw_template_eye(eye, part, range);
+  }
+  ApertureRead read = read_aperture(
+      {arguments.pupil, arguments.eyelashes, *arguments.width_mm, options.memory_limit_bytes});
   for (const std::string& warning : read.warnings) console.warn(warning);
   return std::move(read.aperture);
+}
+
+/// The wavelengths integrated over; an error names the lamp as it was given.
+WavelengthRange range_of(const NamedLamp& lamp, const TemplateOptions& options) {
+  try {
+    return effective_range(lamp.spectrum, options);
+  } catch (const InputError& error) {
+    throw InputError(lamp.file.empty() ? "lamp " + lamp.name : lamp.file.string(), error.message());
+  }
 }
 
 void warn_of_missed_light(const NamedLamp& lamp, const TemplateOptions& options,
                           const Console& console) {
   constexpr double kMuch = 0.01;
-  const double missed =
-      share_of_sensitivity_missed(lamp.spectrum, color_matching_functions(options.observer),
-                                  options.wavelength_range_nm);
+  const double missed = share_of_sensitivity_missed(
+      lamp.spectrum, color_matching_functions(options.observer), options.wavelength_range_nm);
   if (missed <= kMuch) return;
   const WavelengthRange covered = lamp.spectrum.range();
-  char text[200];
+  char text[120];
   std::snprintf(text, sizeof text,
-                "lamp %s: its table, %g to %g nm, misses %.1f %% of what the observer sees (by "
-                "luminous efficiency)",
-                lamp.name.c_str(), covered.lo_nm, covered.hi_nm, 100 * missed);
-  console.warn(text);
+                "%g to %g nm, misses %.1f %% of what the observer sees (by luminous efficiency)",
+                covered.lo_nm, covered.hi_nm, 100 * missed);
+  console.warn("lamp " + lamp.name + ": its table, " + text);
 }
 
 /// Half precision has full digits down to 6.1e-5; a template's outskirts are often darker.
@@ -186,7 +197,9 @@ std::vector<RecipeOption> recipe_options(const TemplateArguments& a, const Named
     options.push_back({"--pupil-mm", {text_of(a.pupil_diameter_mm)}, {}});
     options.push_back({"--seed", {std::to_string(a.seed)}, {}});
   }
-  options.push_back({"--lamp", {lamp.name}, lamp.file});
+  // A file that is named like a built-in lamp is told from it by its folder.
+  const bool ambiguous = !lamp.file.empty() && find_lamp(lamp.name).has_value();
+  options.push_back({"--lamp", {(ambiguous ? "./" : "") + lamp.name}, lamp.file});
   options.push_back({"--observer", {a.observer}, {}});
   options.push_back({"--wavelength-range-nm",
                      {text_of(a.wavelength_range_nm[0]), text_of(a.wavelength_range_nm[1])},
@@ -196,7 +209,10 @@ std::vector<RecipeOption> recipe_options(const TemplateArguments& a, const Named
   options.push_back({"--colorspace", {a.color_space}, {}});
   const std::filesystem::path config = user_color_config(a);
   std::error_code ignored;
-  if (std::filesystem::is_regular_file(config, ignored)) add_file("--ocio", config);
+  if (std::filesystem::is_regular_file(config, ignored))
+    add_file("--ocio", config);
+  else if (!config.empty())  // A name such as ocio://default.
+    options.push_back({"--ocio", {config.string()}, {}});
   options.push_back({"--white", {a.white}, {}});
   options.push_back({"--normalize", {a.normalize}, {}});
   options.push_back({"--gamut", {a.gamut}, {}});
@@ -204,9 +220,27 @@ std::vector<RecipeOption> recipe_options(const TemplateArguments& a, const Named
   return options;
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(a, ignored) ==
+         std::filesystem::weakly_canonical(b, ignored);
+}
+
+void require_different_files(const TemplateArguments& a) {
+  if (same_file(a.output, a.preview))
+    throw OptionError("--output and --preview name the same file, " + a.output);
+  for (const std::string& output : {a.output, a.preview})
+    for (const std::string& input : {a.pupil, a.eyelashes, a.lamp, a.ocio})
+      if (same_file(output, input)) throw OptionError("the output " + output + " is an input too");
+}
+
 void require_consistent(const TemplateArguments& arguments) {
-  require_ending(arguments.output, ".exr", "--output");
-  if (!arguments.preview.empty()) require_ending(arguments.preview, ".png", "--preview");
+  require_different_files(arguments);
+  require_writable(arguments.output);
+  if (!arguments.preview.empty()) require_writable(arguments.preview);
+  require_no_other_ending(arguments.output, ".exr", "--output");
+  if (!arguments.preview.empty()) require_no_other_ending(arguments.preview, ".png", "--preview");
   if (arguments.has_images() && !arguments.width_mm)
     throw OptionError("--width-mm is missing: the physical width of the aperture images");
   if (!arguments.has_images() && arguments.width_mm)
@@ -233,15 +267,15 @@ void run_template(const TemplateArguments& arguments) {
   const Console console(arguments.verbosity());
   require_consistent(arguments);
   const NamedLamp lamp = lamp_from(arguments.lamp);
-  const TemplateOptions options = template_options(arguments, console);
+  TemplateOptions options = template_options(arguments, console);
+  const WavelengthRange range = range_of(lamp, options);
   warn_of_missed_light(lamp, options, console);
-  const WavelengthRange range = effective_range(lamp.spectrum, options);
-  require_writable(arguments.output);
-  if (!arguments.preview.empty()) require_writable(arguments.preview);
 
   const Aperture aperture = aperture_of(arguments, options, range, console);
+  options.progress = progress_part(options.progress, kShareOfAperture, 1);
+  const std::string recipe_text = recipe(recipe_options(arguments, lamp));
   GlareTemplate glare_template = make_template(aperture, lamp.spectrum, options, lamp.name);
-  glare_template.recipe = recipe(recipe_options(arguments, lamp));
+  glare_template.recipe = recipe_text;
   if (arguments.half) warn_of_lost_digits(glare_template, console);
   write_template(arguments.output, glare_template,
                  {arguments.half, arguments.threads, [] { return !interrupted(); }});
@@ -249,23 +283,53 @@ void run_template(const TemplateArguments& arguments) {
   tell_what_was_made(glare_template, aperture, console);
 }
 
+/// For options that name something.
+CLI::Validator not_empty() {
+  return CLI::Validator([](std::string& text) { return text.empty() ? "is empty" : ""; }, "");
+}
+
+/// For whole numbers, which CLI11 would let wrap around.
+CLI::Validator whole() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return whole_number(text) ? "" : "'" + text + "' isn't a whole number";
+      },
+      "");
+}
+
+/// After AsSizeValue, which lets negative and too large numbers wrap around.
+CLI::Validator plausible_bytes() {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 60;
+  return CLI::Validator(
+      [](std::string& text) {
+        const auto bytes = whole_number(text);
+        return bytes && *bytes > 0 && *bytes < kMost ? "" : "isn't an amount of memory";
+      },
+      "");
+}
+
 void add_aperture_options(CLI::App& command, TemplateArguments& a) {
   auto* const pupil =
-      command.add_option("--pupil", a.pupil, "Transmittance image of the pupil, white = open");
-  auto* const eyelashes = command.add_option("--eyelashes", a.eyelashes,
-                                             "Transmittance image of the eyelashes, white = open");
+      command.add_option("--pupil", a.pupil, "Transmittance image of the pupil, white = open")
+          ->check(not_empty());
+  auto* const eyelashes = command
+                              .add_option("--eyelashes", a.eyelashes,
+                                          "Transmittance image of the eyelashes, white = open")
+                              ->check(not_empty());
   command.add_option("--width-mm", a.width_mm, "Physical width of the aperture images");
   auto* const diameter =
       command.add_option("--pupil-mm", a.pupil_diameter_mm, "Built-in eye: diameter of the pupil");
-  auto* const seed = command.add_option("--seed", a.seed, "Built-in eye: which eyelashes");
+  auto* const seed =
+      command.add_option("--seed", a.seed, "Built-in eye: which eyelashes")->check(whole());
   for (auto* const option : {diameter, seed}) {
     option->capture_default_str()->excludes(pupil)->excludes(eyelashes);
   }
 }
 
 void add_light_options(CLI::App& command, TemplateArguments& a) {
-  command.add_option("--lamp", a.lamp,
-                     "Name (see glare lamps), blackbody:KELVIN, or CSV file of wavelength_nm,power")
+  command
+      .add_option("--lamp", a.lamp,
+                  "Name (see glare lamps), blackbody:KELVIN, or CSV file of wavelength_nm,power")
       ->capture_default_str();
   command.add_option("--observer", a.observer, "CIE standard observer")
       ->check(CLI::IsMember(observer_names()))
@@ -280,16 +344,18 @@ void add_picture_options(CLI::App& command, TemplateArguments& a) {
   command.add_option("--size", a.size, "Pixels: N or WxH")->capture_default_str();
   command.add_option("--fov-deg", a.fov_deg, "Field of view across the width")
       ->capture_default_str();
-  command.add_option("--colorspace", a.color_space,
-                     "xyz, lin_rec709, lin_rec2020, lin_p3d65, acescg, aces2065-1, ntsc1953, or a "
-                     "scene-linear space of an OpenColorIO config")
+  command
+      .add_option("--colorspace", a.color_space,
+                  "xyz, lin_rec709, lin_rec2020, lin_p3d65, acescg, aces2065-1, ntsc1953, or a "
+                  "scene-linear space of an OpenColorIO config")
       ->capture_default_str();
-  command.add_option("--ocio", a.ocio, "OpenColorIO config (default: $OCIO)");
+  command.add_option("--ocio", a.ocio, "OpenColorIO config (default: $OCIO)")->check(not_empty());
   command.add_option("--white", a.white, "none, or lamp: adapt (Bradford) so that it is white")
       ->check(CLI::IsMember({"none", "lamp"}))
       ->capture_default_str();
-  command.add_option("--normalize", a.normalize,
-                     "peak: brightest pixel 1; energy: sum 1; absolute: per steradian")
+  command
+      .add_option("--normalize", a.normalize,
+                  "peak: brightest pixel 1; energy: sum 1; absolute: per steradian")
       ->check(CLI::IsMember({"peak", "energy", "absolute"}))
       ->capture_default_str();
   command.add_option("--gamut", a.gamut, "keep, or desaturate colours outside the RGB gamut")
@@ -298,15 +364,19 @@ void add_picture_options(CLI::App& command, TemplateArguments& a) {
 }
 
 void add_output_options(CLI::App& command, TemplateArguments& a) {
-  command.add_option("-o,--output", a.output, "OpenEXR file to write")->required();
-  command.add_option("--preview", a.preview, "Tone-mapped PNG to write too");
+  command.add_option("-o,--output", a.output, "OpenEXR file to write")
+      ->required()
+      ->check(not_empty());
+  command.add_option("--preview", a.preview, "Tone-mapped PNG to write too")->check(not_empty());
   command.add_flag("--half", a.half, "16-bit instead of 32-bit floating point");
   command.add_option("--threads", a.threads, "0: as many as the machine has")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  command.add_option("--memory-limit", a.memory_limit_bytes,
-                     "Such as 4GB (default: three quarters of the machine's)")
-      ->transform(CLI::AsSizeValue(false));
+  command
+      .add_option("--memory-limit", a.memory_limit_bytes,
+                  "Such as 4GB (default: three quarters of the machine's)")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(plausible_bytes());
   auto* const quiet = command.add_flag("--quiet", a.quiet, "No warnings, no progress bar");
   command.add_flag("--verbose", a.verbose, "Say what was made")->excludes(quiet);
 }
@@ -315,8 +385,7 @@ void add_output_options(CLI::App& command, TemplateArguments& a) {
 
 Command add_template_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
-      "template",
-      "Make a glare template, from aperture images or, without, from the built-in eye");
+      "template", "Make a glare template, from aperture images or, without, from the built-in eye");
   const auto arguments = std::make_shared<TemplateArguments>();
   add_output_options(command, *arguments);
   add_aperture_options(command, *arguments);

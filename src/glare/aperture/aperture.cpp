@@ -29,7 +29,9 @@ std::string number_text(double value) {
 /// Whether the heights agree to within rounding when both pictures are as wide as `fine`.
 bool same_shape(const Image<float>& fine, const Image<float>& coarse) {
   const double scale = static_cast<double>(fine.width()) / coarse.width();
-  return std::abs(fine.height() - coarse.height() * scale) <= 0.5 * scale;
+  constexpr double most = 0.01;  // of the height: what rounding a picture's size explains
+  return std::abs(fine.height() - coarse.height() * scale) <=
+         std::min(0.5 * scale, most * fine.height());
 }
 
 void require_same_rectangle(const Aperture& fine, const Aperture& coarse) {

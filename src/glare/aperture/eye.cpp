@@ -1,5 +1,6 @@
 #include "glare/aperture/eye.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <span>
@@ -8,6 +9,7 @@
 #include "glare/aperture/coverage.h"
 #include "glare/aperture/eyelashes.h"
 #include "glare/base/error.h"
+#include "glare/base/parallel.h"
 
 namespace glare {
 
@@ -23,14 +25,6 @@ void require_in_range(const char* name, double value, double low, double high) {
   throw OptionError(text);
 }
 
-void require_valid(const EyeParameters& p) {
-  require_in_range("pupil_diameter_mm", p.pupil_diameter_mm, 1, 10);
-  require_in_range("eyelash_count", p.eyelash_count, 0, 1000);
-  require_in_range("eyelash_root_width_mm", p.eyelash_root_width_mm, 1e-6, 0.5);
-  require_in_range("eyelash_reach", p.eyelash_reach, 0, 1);
-  require_in_range("eyelash_fan_deg", p.eyelash_fan_deg, 0, 60);
-}
-
 /// Width of the picture in pixels.
 int picture_width(double width_mm, double pupil_diameter_mm, double max_pixel_mm) {
   require_in_range("max_pixel_mm", max_pixel_mm, width_mm / max_picture_width,
@@ -41,22 +35,44 @@ int picture_width(double width_mm, double pupil_diameter_mm, double max_pixel_mm
 
 }  // namespace
 
-Aperture draw_eye(const EyeParameters& parameters, double max_pixel_mm) {
+void require_valid(const EyeParameters& p) {
+  require_in_range("pupil_diameter_mm", p.pupil_diameter_mm, 1, 10);
+  require_in_range("eyelash_count", p.eyelash_count, 0, 1000);
+  require_in_range("eyelash_root_width_mm", p.eyelash_root_width_mm, 1e-6, 0.5);
+  require_in_range("eyelash_reach", p.eyelash_reach, 0, 1);
+  require_in_range("eyelash_fan_deg", p.eyelash_fan_deg, 0, 60);
+}
+
+double eye_picture_width_mm(const EyeParameters& parameters) {
+  return picture_per_pupil * parameters.pupil_diameter_mm;
+}
+
+double finest_eye_pixel_mm(const EyeParameters& parameters) {
+  return eye_picture_width_mm(parameters) / max_picture_width;
+}
+
+Aperture draw_eye(const EyeParameters& parameters, double max_pixel_mm, int threads,
+                  const ProgressCallback& progress) {
   require_valid(parameters);
   Aperture eye;
-  eye.width_mm = picture_per_pupil * parameters.pupil_diameter_mm;
+  eye.width_mm = eye_picture_width_mm(parameters);
   const int size = picture_width(eye.width_mm, parameters.pupil_diameter_mm, max_pixel_mm);
   eye.transmittance = Image<float>(size, size);
 
   const Grid grid{size, eye.width_mm / size};
   std::vector<Hair> hairs;
   for (const Eyelash& lash : eyelashes(parameters)) hairs.emplace_back(lash);
-  std::vector<float> covered(size);
-  for (int y = 0; y < size; ++y) {
-    const std::span<float> row = eye.transmittance.row(y);
-    const Columns open = draw_pupil_row(grid, y, parameters.pupil_diameter_mm / 2, row);
-    for (const Hair& hair : hairs) hair.draw_row(grid, y, open, covered, row);
-  }
+  constexpr int rows_per_task = 32;
+  const auto draw_rows = [&](int task) {
+    std::vector<float> covered(static_cast<std::size_t>(size));
+    const int end = std::min(size, (task + 1) * rows_per_task);
+    for (int y = task * rows_per_task; y < end; ++y) {
+      const std::span<float> row = eye.transmittance.row(y);
+      const Columns open = draw_pupil_row(grid, y, parameters.pupil_diameter_mm / 2, row);
+      for (const Hair& hair : hairs) hair.draw_row(grid, y, open, covered, row);
+    }
+  };
+  parallel_for((size + rows_per_task - 1) / rows_per_task, threads, draw_rows, progress);
   return eye;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "glare/aperture/aperture.h"
+#include "glare/base/progress.h"
 
 namespace glare {
 
@@ -36,6 +37,9 @@ struct EyeParameters {
   double eyelash_fan_deg = 35;
 };
 
+/// Throws `OptionError` for a parameter outside its range.
+void require_valid(const EyeParameters& parameters);
+
 /// The eye's amplitude transmittance over a square 4 % wider than the pupil, whose centre is the
 /// picture's centre; up in the picture (row 0) is up in the eye. The pixel is the largest that is
 /// at most `max_pixel_mm` and divides the square, which depends on the pupil's diameter alone.
@@ -48,6 +52,16 @@ struct EyeParameters {
 /// Throws `OptionError` for a parameter outside its range, or a `max_pixel_mm` that is not
 /// positive, is larger than a sixteenth of the pupil, or would need a picture wider than 65536
 /// pixels.
-Aperture draw_eye(const EyeParameters& parameters, double max_pixel_mm);
+///
+/// `threads` is the number of threads (0: as many as the machine has); the picture is the same for
+/// any. Throws `Cancelled` when the callback says stop.
+Aperture draw_eye(const EyeParameters& parameters, double max_pixel_mm, int threads = 0,
+                  const ProgressCallback& progress = {});
+
+/// The width of the picture that `draw_eye` makes.
+double eye_picture_width_mm(const EyeParameters& parameters);
+
+/// The finest pixel that `draw_eye` draws: the picture is then 65536 pixels wide.
+double finest_eye_pixel_mm(const EyeParameters& parameters);
 
 }  // namespace glare

@@ -9,7 +9,7 @@ namespace {
 std::string memory_message(std::uint64_t required_bytes, std::uint64_t allowed_bytes) {
   constexpr double mega = 1e6;
   char text[160];
-  std::snprintf(text, sizeof text, "this would need %.0f MB of memory, and %.0f MB are allowed",
+  std::snprintf(text, sizeof text, "this would need %.4g MB of memory, and %.4g MB are allowed",
                 static_cast<double>(required_bytes) / mega,
                 static_cast<double>(allowed_bytes) / mega);
   return text;

@@ -20,11 +20,16 @@ class Error : public std::runtime_error {
 class InputError : public Error {
  public:
   InputError(std::string place, const std::string& message)
-      : Error(place.empty() ? message : place + ": " + message), place_(std::move(place)) {}
+      : Error(place.empty() ? message : place + ": " + message),
+        place_(std::move(place)),
+        message_(message) {}
   const std::string& place() const { return place_; }
+  /// What happened, without the place.
+  const std::string& message() const { return message_; }
 
  private:
   std::string place_;
+  std::string message_;
 };
 
 /// A request can't be met: an option has a value outside its range, an unknown name, or a field

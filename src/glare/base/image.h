@@ -27,18 +27,20 @@ class Image {
   T& operator()(int x, int y) { return values_[index(x, y)]; }
   const T& operator()(int x, int y) const { return values_[index(x, y)]; }
 
-  std::span<T> row(int y) { return values().subspan(index(0, y), static_cast<std::size_t>(width_)); }
-  std::span<const T> row(int y) const {
-    return values().subspan(index(0, y), static_cast<std::size_t>(width_));
-  }
+  std::span<T> row(int y) { return values().subspan(row_start(y), row_length()); }
+  std::span<const T> row(int y) const { return values().subspan(row_start(y), row_length()); }
   std::span<T> values() { return values_; }
   std::span<const T> values() const { return values_; }
 
  private:
+  std::size_t row_length() const { return static_cast<std::size_t>(width_); }
+  std::size_t row_start(int y) const {
+    assert(y >= 0 && y < height_);
+    return static_cast<std::size_t>(y) * row_length();
+  }
   std::size_t index(int x, int y) const {
-    assert(x >= 0 && x <= width_ && y >= 0 && y < height_);
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(x);
+    assert(x >= 0 && x < width_);
+    return row_start(y) + static_cast<std::size_t>(x);
   }
 
   int width_ = 0;

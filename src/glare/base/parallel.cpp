@@ -1,8 +1,10 @@
 #include "glare/base/parallel.h"
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 
@@ -12,21 +14,19 @@ namespace glare {
 
 void parallel_for(int count, int threads, const std::function<void(int)>& task,
                   const ProgressCallback& progress) {
-  std::atomic<int> done{0};
+  int done = 0;
   std::atomic<bool> stop{false};
   std::mutex progress_mutex;
   const auto run_one = [&](int i) {
     if (stop) return;
     task(i);
-    const int now_done = ++done;
     if (!progress) return;
     const std::scoped_lock lock(progress_mutex);
-    if (!stop && !progress(static_cast<double>(now_done) / count)) stop = true;
+    if (!stop && !progress(static_cast<double>(++done) / count)) stop = true;
   };
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(0, count, 1, run_one, tbb::simple_partitioner{});
-  });
+  const int most = tbb::info::default_concurrency();  // TBB warns on the error stream of more.
+  tbb::task_arena arena(threads > 0 ? std::min(threads, most) : most);
+  arena.execute([&] { tbb::parallel_for(0, count, 1, run_one, tbb::simple_partitioner{}); });
   if (stop) throw Cancelled();
 }
 

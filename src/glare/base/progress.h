@@ -9,4 +9,10 @@ namespace glare {
 /// Return false to stop: the work then throws `Cancelled`. An empty callback is allowed.
 using ProgressCallback = std::function<bool(double fraction_done)>;
 
+/// The callback for a part of some work, which runs from the share `from` of the whole to `to`.
+inline ProgressCallback progress_part(const ProgressCallback& whole, double from, double to) {
+  if (!whole) return {};
+  return [whole, from, to](double fraction) { return whole(from + fraction * (to - from)); };
+}
+
 }  // namespace glare

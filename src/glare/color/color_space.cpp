@@ -30,9 +30,7 @@ Xyz xyz_from_chromaticity(const Chromaticity& c) { return {c.x / c.y, 1, (1 - c.
 
 RgbColorSpace::RgbColorSpace(std::string name, const std::array<Chromaticity, 3>& primaries,
                              const Xyz& white)
-    : name_(std::move(name)),
-      rgb_from_xyz_(inverse(xyz_from_rgb_matrix(primaries, white))),
-      xyz_from_rgb_(xyz_from_rgb_matrix(primaries, white)) {}
+    : RgbColorSpace(std::move(name), inverse(xyz_from_rgb_matrix(primaries, white))) {}
 
 RgbColorSpace::RgbColorSpace(std::string name, const Matrix3& rgb_from_xyz)
     : name_(std::move(name)), rgb_from_xyz_(rgb_from_xyz), xyz_from_rgb_(inverse(rgb_from_xyz)) {}

@@ -14,9 +14,10 @@ struct Chromaticity {
   double y = 0;
 };
 
+/// NaN where X + Y + Z is 0.
 Chromaticity chromaticity(const Xyz& xyz);
 
-/// The colour of this chromaticity with luminance 1.
+/// The colour of this chromaticity with luminance 1. `c.y` isn't 0.
 Xyz xyz_from_chromaticity(const Chromaticity& c);
 
 /// A space whose values are linear in light: RGB = rgb_from_xyz * XYZ, with no adaptation of

@@ -8,8 +8,8 @@ std::array<float, 3> desaturated_into_gamut(const std::array<float, 3>& rgb,
                                             const std::array<double, 3>& luminance_weights) {
   const double smallest = std::min({rgb[0], rgb[1], rgb[2]});
   if (smallest >= 0) return rgb;
-  const double luminance = luminance_weights[0] * rgb[0] + luminance_weights[1] * rgb[1] +
-                           luminance_weights[2] * rgb[2];
+  const double luminance =
+      luminance_weights[0] * rgb[0] + luminance_weights[1] * rgb[1] + luminance_weights[2] * rgb[2];
   if (luminance <= 0) return {0, 0, 0};
   const double keep = luminance / (luminance - smallest);
   std::array<float, 3> result;

@@ -22,8 +22,7 @@ std::array<float, 3> displayed(const std::array<float, 3>& unit_rgb, double lumi
   double keep = 1;
   if (luminance * largest > 1) keep = (1 - luminance) / (luminance * (largest - 1));
   std::array<float, 3> result;
-  for (int k = 0; k < 3; ++k)
-    result[k] = srgb_encoded(luminance * (1 + keep * (unit_rgb[k] - 1)));
+  for (int k = 0; k < 3; ++k) result[k] = srgb_encoded(luminance * (1 + keep * (unit_rgb[k] - 1)));
   return result;
 }
 
@@ -33,10 +32,10 @@ std::array<float, 3> SigmoidToneMap::operator()(const std::array<float, 3>& rgb)
   static const Vector3 weights = lin_rec709_color_space().xyz_from_rgb()[1];
   const double luminance = weights[0] * rgb[0] + weights[1] * rgb[1] + weights[2] * rgb[2];
   if (!(luminance > 0)) return {0, 0, 0};
-  const auto unit = desaturated_into_gamut({static_cast<float>(rgb[0] / luminance),
-                                            static_cast<float>(rgb[1] / luminance),
-                                            static_cast<float>(rgb[2] / luminance)},
-                                           weights);
+  const auto unit = desaturated_into_gamut(
+      {static_cast<float>(rgb[0] / luminance), static_cast<float>(rgb[1] / luminance),
+       static_cast<float>(rgb[2] / luminance)},
+      weights);
   const double c = std::pow(luminance / middle_luminance, 1 / compression);
   return displayed(unit, c / (c + 1));
 }

@@ -6,8 +6,8 @@
 namespace glare {
 
 /// A sigmoid on luminance that keeps the colour: L becomes c^n / (c^n + 1) of the display's white,
-/// with c = L / middle_luminance and n = 1 / compression (the form of Naka and Rushton, 1966, for the
-/// response of photoreceptors).
+/// with c = L / middle_luminance and n = 1 / compression (the form of Naka and Rushton, 1966, for
+/// the response of photoreceptors).
 struct SigmoidToneMap {
   double middle_luminance = 1;  ///< Comes out at half of the display's white; > 0.
   double compression = 1;       ///< 1 keeps the contrast around the middle; more flattens it; > 0.

@@ -36,13 +36,12 @@ struct Axis {
 /// Transforms of the open rows, zero-padded to the axis' length: for each row the frequencies
 /// 0 to `count` - 1. Scaled so that the squares of the full transform are the intensity in mm^2.
 ComplexImage transformed_rows(const Aperture& aperture, const OpenPart& part, const Axis& axis,
-                              int count, int threads) {
+                              int count, int threads, const ProgressCallback& progress) {
   const FourierTransform transform(FourierTransform::Kind::real_to_complex, axis.length);
   const auto scale = static_cast<float>(aperture.pixel_mm() * aperture.pixel_mm() /
                                         std::sqrt(energy_area_mm2(aperture)));
   ComplexImage rows(count, part.height);
-  const int tasks = (part.height + kRowsPerTask - 1) / kRowsPerTask;
-  parallel_for(tasks, threads, [&](int task) {
+  const auto transform_rows = [&](int task) {
     TransformBuffer<float> samples(static_cast<std::size_t>(axis.length));
     TransformBuffer<std::complex<float>> frequencies(static_cast<std::size_t>(axis.length / 2 + 1));
     const int end = std::min(part.height, (task + 1) * kRowsPerTask);
@@ -54,7 +53,8 @@ ComplexImage transformed_rows(const Aperture& aperture, const OpenPart& part, co
       transform.execute(samples, frequencies);
       std::copy_n(frequencies.values().begin(), count, rows.row(y).begin());
     }
-  });
+  };
+  parallel_for((part.height + kRowsPerTask - 1) / kRowsPerTask, threads, transform_rows, progress);
   return rows;
 }
 
@@ -92,6 +92,7 @@ void transform_columns(const ComplexImage& rows, const Axis& axis, FarField& fie
 void fill_row_by_symmetry(FarField& field, int kx, const Axis& axis) {
   int source_kx = kx % axis.length;
   if (source_kx > axis.length / 2) source_kx -= axis.length;
+  if (source_kx < -(axis.length / 2)) source_kx += axis.length;
   const auto source = field.intensity_mm2.row(std::abs(source_kx) - field.first_kx);
   const auto target = field.intensity_mm2.row(kx - field.first_kx);
   if (source_kx < 0)
@@ -128,12 +129,12 @@ FarField far_field(const Aperture& aperture, const FarFieldRequest& request) {
   field.aperture_pixel_mm = pixel_mm;
   field.aperture_width_mm = aperture.width_mm;
   field.energy_area_mm2 = energy_area_mm2(aperture);
-  field.intensity_mm2 =
-      Image<float>(2 * axis_y.last_k + 1, axis_x.last_k - field.first_kx + 1);
+  field.intensity_mm2 = Image<float>(2 * axis_y.last_k + 1, axis_x.last_k - field.first_kx + 1);
 
   const int count = transformed_count(axis_x);
-  const ComplexImage rows = transformed_rows(aperture, part, axis_x, count, request.threads);
-  transform_columns(rows, axis_y, field, request.threads, request.progress);
+  const ComplexImage rows = transformed_rows(aperture, part, axis_x, count, request.threads,
+                                             progress_part(request.progress, 0, 0.4));
+  transform_columns(rows, axis_y, field, request.threads, progress_part(request.progress, 0.4, 1));
   for (int kx = field.first_kx; kx < 0; ++kx) fill_row_by_symmetry(field, kx, axis_x);
   for (int kx = count; kx <= axis_x.last_k; ++kx) fill_row_by_symmetry(field, kx, axis_x);
   return field;

@@ -16,8 +16,8 @@ struct FarFieldRequest {
   double max_frequency_y_per_mm = 0;
   /// How far the half plane kx >= 0 that is held is to reach across the axis, in cycles per mm.
   double overlap_frequency_x_per_mm = 0;
-  /// Samples per side and cycle of the finest detail: the transform's length over the length of the
-  /// aperture's open part. 2 is the critical sampling of the intensity, 4 is good for interpolation.
+  /// The transform's length over that of the aperture's open part, at least 2, the critical
+  /// sampling of the intensity; 4 is good for interpolation. Lengths are rounded up to fast ones.
   double padding = 4;
   int threads = 0;  ///< 0: as many as the machine has.
   ProgressCallback progress;
@@ -46,7 +46,7 @@ struct FarField {
 };
 
 /// Samples that are held beyond the largest frequencies asked for, for interpolation.
-inline constexpr int kFarFieldMargin = 6;
+inline constexpr int kFarFieldMargin = 8;
 
 /// The far field of an aperture. Where it stands in the picture makes no difference. Frequencies
 /// beyond 1 / (2 pixel) repeat those within it, since the aperture is sampled. Throws `InputError`

@@ -59,8 +59,7 @@ FourierTransform::~FourierTransform() {
 
 void FourierTransform::execute(TransformBuffer<float>& input,
                                TransformBuffer<std::complex<float>>& output) const {
-  fftwf_execute_dft_r2c(plan_->plan, input.values().data(),
-                        fftw_pointer(output.values().data()));
+  fftwf_execute_dft_r2c(plan_->plan, input.values().data(), fftw_pointer(output.values().data()));
 }
 
 void FourierTransform::execute(TransformBuffer<std::complex<float>>& values) const {

@@ -28,7 +28,8 @@ class TransformBuffer {
 
 /// A plan for transforms of one length, X[k] = sum over n of x[n] exp(-2 pi i k n / length), not
 /// normalised. Planned without timing, so that a plan, and so every bit of a result, depends on the
-/// length alone. Execution may go on in several threads at once, each with buffers of its own.
+/// length and the machine alone. Execution may go on in several threads at once, each with buffers
+/// of its own.
 class FourierTransform {
  public:
   enum class Kind { real_to_complex, complex_to_complex };

@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <map>
 
+#include "glare/base/error.h"
 #include "glare/base/parallel.h"
+#include "glare/base/units.h"
 #include "glare/integration/box_interpolation.h"
 #include "glare/integration/spectral_tile.h"
 #include "glare/integration/wavenumber_quadrature.h"
@@ -14,10 +16,9 @@ namespace glare {
 
 namespace {
 
-constexpr double kMmPerNm = 1e-6;
-
 /// Quadrature nodes for each cycle that the pattern's finest detail goes through over the range of
-/// wavenumbers. See docs/physics.md for what other numbers cost and gain.
+/// wavenumbers. Fewer leave
+/// traces of narrow lines; docs/validation.md has the errors that are left.
 constexpr double kNodesPerCycle = 3;
 constexpr int kFewestNodes = 48;
 
@@ -42,12 +43,22 @@ int node_count(const Tile& tile, const FarField& field, double pitch_rad,
   return static_cast<int>(std::exp2(std::ceil(std::log2(nodes) * 4) / 4));
 }
 
+/// Padding by which samples are at twice the critical rate, for `kInterpolatingKernel`.
+constexpr double kPaddingToInterpolate = 4;
+
 /// The zero-padding for a pixel of that many cycles of the intensity's finest detail. Narrow pixels
 /// are interpolated and need the denser samples; wide ones average over many samples.
 double padding_for(double pixel_cycles) {
-  if (pixel_cycles < 0.5) return 6;
-  if (pixel_cycles < 1) return 4;
+  if (pixel_cycles < 1) return kPaddingToInterpolate;
   return pixel_cycles < 3 ? 3 : 2.5;
+}
+
+/// The kernel for a field's samples.
+const WindowedSinc& kernel_for(const FarField& field) {
+  const double padding =
+      1 / std::max(field.bin_x_per_mm * field.extent_x_mm, field.bin_y_per_mm * field.extent_y_mm);
+  constexpr double kRounding = 1e-9;
+  return padding >= kPaddingToInterpolate - kRounding ? kInterpolatingKernel : kAveragingKernel;
 }
 
 /// Tiles that cover the half plane dx >= 0; the other half follows by symmetry.
@@ -60,6 +71,23 @@ std::vector<Tile> half_plane_tiles(const PixelGrid& grid) {
     for (int x = 0; x < x_end; x += size)
       tiles.push_back({x, std::min(x + size, x_end), y, std::min(y + size, y_end)});
   return tiles;
+}
+
+/// Throws unless the field holds all samples that the outermost pixels take at the shortest
+/// wavelength.
+void require_wide_enough(const FarField& field, const PixelGrid& grid,
+                         const WavelengthRange& range) {
+  const FarFieldRequest needed = far_field_request(field.extent_x_mm, grid, range);
+  const auto samples = [](double frequency_per_mm, double bin_per_mm) {
+    return frequency_per_mm / bin_per_mm + WindowedSinc::kMostTaps / 2 + 1;
+  };
+  const double last_kx = field.first_kx + field.intensity_mm2.height() - 1;
+  const double overlap = samples(needed.overlap_frequency_x_per_mm, field.bin_x_per_mm);
+  if (samples(needed.max_frequency_x_per_mm, field.bin_x_per_mm) > last_kx ||
+      samples(needed.max_frequency_y_per_mm, field.bin_y_per_mm) > -field.first_ky ||
+      std::min(overlap, last_kx) > -field.first_kx)
+    throw OptionError(
+        "the far field was made for a narrower field of view, other pixels or longer wavelengths");
 }
 
 void set_pixel(XyzImage& image, int x, int y, const std::array<float, 3>& xyz) {
@@ -87,6 +115,7 @@ XyzImage spectral_integral(const FarField& field, const PixelGrid& grid, const S
                            const ColorMatchingFunctions& observer, const WavelengthRange& range,
                            int threads, const ProgressCallback& progress) {
   xyz_from_spectrum(lamp, observer, range);  // Throws for a lamp without light.
+  require_wide_enough(field, grid, range);
   const std::vector<Tile> tiles = half_plane_tiles(grid);
   std::map<int, WavenumberQuadrature> quadratures;
   std::vector<const WavenumberQuadrature*> quadrature_of_tile;
@@ -98,7 +127,7 @@ XyzImage spectral_integral(const FarField& field, const PixelGrid& grid, const S
     quadrature_of_tile.push_back(&quadrature);
   }
 
-  const BoxInterpolation interpolation;
+  const BoxInterpolation interpolation(kernel_for(field));
   XyzImage image;
   for (auto& channel : image) channel = Image<float>(grid.width, grid.height);
   const auto one_tile = [&](int i) {

@@ -28,14 +28,14 @@ using XyzImage = std::array<Image<float>, 3>;
 
 /// The mean over each pixel's square, per steradian, of
 ///   XYZ(theta) = integral of PSF(theta, lambda) S (x̄, ȳ, z̄) dlambda / integral of S ȳ dlambda
-/// over `range`, where PSF(theta, lambda) = I(theta / lambda) / lambda^2 and I is the far field. The
-/// number of wavelengths follows from how fast the pattern changes with wavelength at each place,
-/// so that it leaves no trace. The result is point-symmetric about the axis, and its bytes are the
-/// same for any number of threads (0: as many as the machine has).
+/// over `range`, where PSF(theta, lambda) = I(theta / lambda) / lambda^2 and I is the far field.
+/// The number of wavelengths follows from how fast the pattern changes with wavelength at each
+/// place, so that it leaves no trace. The result is point-symmetric about the axis, and its bytes
+/// are the same for any number of threads (0: as many as the machine has).
 ///
 /// The far field must hold every frequency that the outermost pixels need (see
-/// `far_field_request`). Throws `InputError` where the lamp has no light that the observer sees,
-/// `Cancelled` when the callback says stop.
+/// `far_field_request`), else `OptionError`. Throws `InputError` where the lamp has no light that
+/// the observer sees, `Cancelled` when the callback says stop.
 XyzImage spectral_integral(const FarField& field, const PixelGrid& grid, const Spectrum& lamp,
                            const ColorMatchingFunctions& observer, const WavelengthRange& range,
                            int threads, const ProgressCallback& progress);

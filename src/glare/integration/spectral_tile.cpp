@@ -59,8 +59,8 @@ void TileIntegrator::add_wavenumber(const Tile& tile, double wavenumber_per_mm,
   set_edges(tile.y0, tile.y1, pixel_per_mm / field_.bin_y_per_mm, edges_);
   interpolation_.weights_between(edges_, row_boxes_);
   first_ky_ = row_boxes_.front().first;
-  ky_count_ = row_boxes_.back().first + static_cast<int>(row_boxes_.back().weights.size()) -
-              first_ky_;
+  ky_count_ =
+      row_boxes_.back().first + static_cast<int>(row_boxes_.back().weights.size()) - first_ky_;
   reduce_columns();
   transpose_reduced();
   reduce_rows_and_add(tile, weights);
@@ -74,9 +74,8 @@ void TileIntegrator::reduce_columns() {
          first_ky_ + ky_count_ <= field_.first_ky + field_.intensity_mm2.width());
   for (std::size_t i = 0; i < column_boxes_.size(); ++i) {
     const BoxWeights& box = column_boxes_[i];
-    assert(box.first >= field_.first_kx &&
-           box.first + static_cast<int>(box.weights.size()) <=
-               field_.first_kx + field_.intensity_mm2.height());
+    assert(box.first >= field_.first_kx && box.first + static_cast<int>(box.weights.size()) <=
+                                               field_.first_kx + field_.intensity_mm2.height());
     const float* const rows = field_.intensity_mm2.row(box.first - field_.first_kx).data() +
                               (first_ky_ - field_.first_ky);
     add_weighted_rows(box.weights, rows, stride, count, reduced_.data() + i * count);

@@ -19,8 +19,8 @@ struct Tile {
   int height() const { return y1 - y0; }
 };
 
-/// Integrates tiles of at most `kTileSize` pixels a side. It keeps its working memory from one
-/// tile to the next; one object for each thread.
+/// Integrates tiles of at most `kTileSize` pixels a side. One object for each
+/// tile, with working memory of its own.
 class TileIntegrator {
  public:
   static constexpr int kTileSize = 64;
@@ -45,9 +45,9 @@ class TileIntegrator {
 
   std::vector<double> edges_;
   std::vector<BoxWeights> column_boxes_, row_boxes_;
-  int first_ky_ = 0, ky_count_ = 0;   ///< The frequencies that the tile's rows reach.
-  std::vector<float> reduced_;        ///< Tile column by ky.
-  std::vector<float> transposed_;     ///< ky by tile column.
+  int first_ky_ = 0, ky_count_ = 0;  ///< The frequencies that the tile's rows reach.
+  std::vector<float> reduced_;       ///< Tile column by ky.
+  std::vector<float> transposed_;    ///< ky by tile column.
   std::array<std::vector<float>, 3> xyz_;
 };
 

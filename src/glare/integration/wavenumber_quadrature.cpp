@@ -4,11 +4,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "glare/base/units.h"
+
 namespace glare {
 
 namespace {
-
-constexpr double kMmPerNm = 1e-6;
 
 /// Nodes and weights of the 4-point Gauss-Legendre rule on [-1, 1] (Abramowitz and Stegun 25.4).
 constexpr std::array<double, 4> kGaussNode = {-0.861136311594052575224, -0.339981043584856264803,
@@ -67,9 +67,9 @@ void integrate_interval(const Spectrum& lamp, const ColorMatchingFunctions& obse
     const double nm = middle + half * kGaussNode[g];
     const double lambda_mm = nm * kMmPerNm;
     const double light = half * kGaussWeight[g] * lamp(nm) / (lambda_mm * lambda_mm);
-    add_to_nodes(nodes, nm, first_node,
-                 {light * observer.x_bar(nm), light * observer.y_bar(nm), light * observer.z_bar(nm)},
-                 sums);
+    add_to_nodes(
+        nodes, nm, first_node,
+        {light * observer.x_bar(nm), light * observer.y_bar(nm), light * observer.z_bar(nm)}, sums);
   }
 }
 

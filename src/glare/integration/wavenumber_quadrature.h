@@ -17,9 +17,9 @@ struct WavenumberQuadrature {
 };
 
 /// A quadrature with `nodes` >= 4 wavenumbers over the range. I is taken as the cubic through its
-/// four nearest nodes, and each such cubic is integrated against the spectra exactly (Gauss-Legendre
-/// between all their samples), so no line of a lamp falls between nodes. It is exact where
-/// I(theta nu) is a cubic of nu over each step; it needs some four nodes a cycle of I.
+/// four nearest nodes, and each such cubic is integrated against the spectra exactly
+/// (Gauss-Legendre between all their samples), so no line of a lamp falls between nodes. It is
+/// exact where I(theta nu) is a cubic of nu over each step; it needs three or more a cycle of I.
 WavenumberQuadrature wavenumber_quadrature(const Spectrum& lamp,
                                            const ColorMatchingFunctions& observer,
                                            const WavelengthRange& range, int nodes);

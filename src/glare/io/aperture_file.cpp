@@ -1,7 +1,6 @@
 #include "glare/io/aperture_file.h"
 
 #include <cassert>
-#include <cmath>
 
 #include "glare/base/error.h"
 #include "glare/io/image_file.h"
@@ -13,12 +12,12 @@ namespace {
 Aperture read_one(const std::filesystem::path& path, const ApertureFiles& files,
                   std::vector<std::string>& warnings) {
   TransmittanceImage image = read_transmittance(path, files.memory_limit_bytes);
-  for (auto& warning : image.warnings) warnings.push_back(std::move(warning));
+  for (const auto& warning : image.warnings) warnings.push_back(path.string() + ": " + warning);
   Aperture aperture{std::move(image.transmittance), files.width_mm};
   try {
     require_valid(aperture);
   } catch (const InputError& error) {
-    throw InputError(path.string(), error.what());
+    throw InputError(path.string(), error.message());
   }
   return aperture;
 }
@@ -27,12 +26,13 @@ Aperture read_one(const std::filesystem::path& path, const ApertureFiles& files,
 
 ApertureRead read_aperture(const ApertureFiles& files) {
   assert(!files.pupil.empty() || !files.eyelashes.empty());
-  if (!(files.width_mm > 0) || !std::isfinite(files.width_mm))
-    throw OptionError("the aperture's width must be a positive number of millimetres");
+  constexpr double kNarrowest_mm = 1e-3, kWidest_mm = 1e6;
+  if (!(files.width_mm >= kNarrowest_mm && files.width_mm <= kWidest_mm))
+    throw OptionError("the aperture's width must be from 0.001 to 1000000 mm");
   ApertureRead result;
   if (files.pupil.empty() || files.eyelashes.empty()) {
-    result.aperture = read_one(files.pupil.empty() ? files.eyelashes : files.pupil, files,
-                               result.warnings);
+    result.aperture =
+        read_one(files.pupil.empty() ? files.eyelashes : files.pupil, files, result.warnings);
     return result;
   }
   result.aperture = stacked(read_one(files.pupil, files, result.warnings),

@@ -111,8 +111,9 @@ const OCIO::ConstConfigRcPtr& shipped_config() {
 OCIO::ConstConfigRcPtr read_user_config(const std::filesystem::path& path) {
   const std::string place = path.string();
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError(place, "an OpenColorIO config was expected, but this is a folder");
+  if (!place.starts_with("ocio://") && std::filesystem::exists(path, ignored) &&
+      !std::filesystem::is_regular_file(path, ignored))
+    throw InputError(place, "an OpenColorIO config was expected, but this isn't a regular file");
   return with_errors_at(place, "it can't be read as an OpenColorIO config",
                         [&] { return OCIO::Config::CreateFromFile(place.c_str()); });
 }

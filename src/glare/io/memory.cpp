@@ -38,10 +38,10 @@ std::uint64_t cgroup_limit_bytes() {
 std::uint64_t memory_size_bytes() {
   const long pages = sysconf(_SC_PHYS_PAGES);
   const long page_bytes = sysconf(_SC_PAGESIZE);
-  const std::uint64_t physical = pages > 0 && page_bytes > 0
-                                     ? static_cast<std::uint64_t>(pages) *
-                                           static_cast<std::uint64_t>(page_bytes)
-                                     : kUnlimited;
+  const std::uint64_t physical =
+      pages > 0 && page_bytes > 0
+          ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_bytes)
+          : kUnlimited;
   return std::min(physical, cgroup_limit_bytes());
 }
 

@@ -21,8 +21,8 @@ struct BuiltInLamp {
 std::vector<BuiltInLamp> built_in_lamps();
 
 /// A lamp by its name, an alias (`halogen`, `hid`, `led`), or as a black body ("blackbody:3200", in
-/// kelvin). Upper and lower case are the same, and so are "-" and "_". Nothing where no lamp has the
-/// name; `OptionError` for a black body outside 500 to 100000 K or with no number.
+/// kelvin). Upper and lower case are the same, and so are "-" and "_". Nothing where no lamp has
+/// the name; `OptionError` for a black body outside 500 to 100000 K or with no number.
 std::optional<Spectrum> find_lamp(std::string_view name);
 
 /// Relative spectral power of a black body at a temperature in kelvin, 500 to 100000, 300 to 830 nm

@@ -1,6 +1,7 @@
 #include "glare/spectrum/observer.h"
 
 #include <array>
+#include <cmath>
 
 #include "glare/base/embedded_file.h"
 #include "glare/base/error.h"
@@ -88,6 +89,7 @@ double luminous_integral(const Spectrum& lamp, const ColorMatchingFunctions& obs
 Xyz xyz_from_spectrum(const Spectrum& lamp, const ColorMatchingFunctions& observer,
                       const WavelengthRange& range) {
   const double luminance = luminous_integral(lamp, observer, range);
+  if (!std::isfinite(luminance)) throw InputError("lamp", "has too large a power to be summed");
   if (!(luminance > 0))
     throw InputError("lamp", "has no light that the observer sees between " +
                                  std::to_string(static_cast<int>(range.lo_nm)) + " and " +

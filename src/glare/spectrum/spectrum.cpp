@@ -26,18 +26,21 @@ WavelengthRange intersection(const WavelengthRange& a, const WavelengthRange& b)
 
 Spectrum::Spectrum(std::vector<double> wavelengths_nm, std::vector<double> values) {
   if (wavelengths_nm.size() != values.size())
-    throw InputError("spectrum", "has as many values as wavelengths, or it is no table");
+    throw InputError("spectrum", "has " + std::to_string(wavelengths_nm.size()) +
+                                     " wavelengths and " + std::to_string(values.size()) +
+                                     " values, expected as many of both");
   if (wavelengths_nm.size() < 2)
     throw InputError("spectrum", "has fewer than two samples; at least two are needed");
+  for (const double wavelength_nm : wavelengths_nm)
+    if (!std::isfinite(wavelength_nm) || wavelength_nm <= 0)
+      throw InputError("spectrum", "has a wavelength of " + nm(wavelength_nm) +
+                                       "; wavelengths are positive numbers of nanometres");
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return wavelengths_nm[a] < wavelengths_nm[b]; });
   for (const std::size_t i : order) {
     const double wavelength_nm = wavelengths_nm[i];
-    if (!std::isfinite(wavelength_nm) || wavelength_nm <= 0)
-      throw InputError("spectrum", "has a wavelength of " + nm(wavelength_nm) +
-                                       "; wavelengths are positive numbers of nanometres");
     if (!std::isfinite(values[i]))
       throw InputError("spectrum", "has a value at " + nm(wavelength_nm) + " that isn't finite");
     if (!wavelengths_nm_.empty() && wavelengths_nm_.back() == wavelength_nm)

@@ -15,7 +15,7 @@ struct WavelengthRange {
   friend bool operator==(const WavelengthRange&, const WavelengthRange&) = default;
 };
 
-/// The wavelengths that both ranges hold; `empty()` where they have none in common.
+/// The wavelengths that both ranges hold; `empty()` where they have no interval in common.
 WavelengthRange intersection(const WavelengthRange& a, const WavelengthRange& b);
 
 /// A function of wavelength: linear between its samples and 0 outside them.
@@ -38,8 +38,8 @@ class Spectrum {
   std::vector<double> values_;
 };
 
-/// The wavelengths in `range` at which one of the spectra has a sample, with both ends of the range,
-/// ascending and without repetition: between neighbours every one of the spectra is linear.
+/// The wavelengths in `range` at which one of the spectra has a sample, with both ends of the
+/// range, ascending and without repetition: between neighbours every one of the spectra is linear.
 std::vector<double> union_of_knots(std::span<const Spectrum* const> spectra,
                                    const WavelengthRange& range);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <unordered_map>
 
@@ -53,10 +54,11 @@ std::optional<double> number_from(std::string_view field, bool decimal_comma) {
   if (decimal_comma) std::replace(text.begin(), text.end(), ',', '.');
   const char* begin = text.c_str();
   const char* const end = begin + text.size();
-  if (begin != end && *begin == '+') ++begin;
+  if (end - begin > 1 && *begin == '+' && begin[1] != '-') ++begin;
   double number = 0;
   const auto [stop, error] = std::from_chars(begin, end, number);
-  if (error != std::errc{} || stop != end || begin == end) return std::nullopt;
+  if (stop != end || begin == end || error == std::errc::invalid_argument) return std::nullopt;
+  if (error == std::errc::result_out_of_range) number = std::strtod(begin, nullptr);
   return number;
 }
 
@@ -109,8 +111,7 @@ NumberTable parse_number_table(std::string_view text, const std::string& place, 
     const bool decimal_comma = separator == ';' || separator == '\t';
     const auto fields = split(line, separator);
     const bool wide_enough = fields.size() >= static_cast<std::size_t>(columns);
-    const auto numbers =
-        wide_enough ? numbers_of(fields, columns, decimal_comma) : std::nullopt;
+    const auto numbers = wide_enough ? numbers_of(fields, columns, decimal_comma) : std::nullopt;
     const bool header = !numbers && header_allowed && !has_a_number(fields, decimal_comma);
     if (!numbers && !header) throw_not_numbers(at_line(place, line_number), line, columns);
     if (header) continue;
@@ -137,12 +138,12 @@ Spectrum parse_lamp_table(std::string_view text, const std::string& place) {
       throw InputError(here, "the power is negative or not finite");
     const auto [earlier, is_new] = line_of.emplace(wavelength_nm, table.line_numbers[i]);
     if (!is_new)
-      throw InputError(here, "the wavelength stands in line " + std::to_string(earlier->second) +
-                                 " already");
+      throw InputError(
+          here, "the wavelength stands in line " + std::to_string(earlier->second) + " already");
     wavelengths_nm.push_back(wavelength_nm);
     power.push_back(table.rows[i][1]);
   }
-  if (std::all_of(power.begin(), power.end(), [](double p) { return p == 0; }))
+  if (*std::max_element(power.begin(), power.end()) == 0)
     throw InputError(place, "the power is 0 at every wavelength");
   return Spectrum(std::move(wavelengths_nm), std::move(power));
 }

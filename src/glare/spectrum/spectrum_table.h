@@ -18,8 +18,8 @@ struct NumberTable {
 /// Reads rows of `columns` numbers, parted by commas, semicolons, tabs or blanks. Passed over: a
 /// byte order mark, empty lines, comments (from `#` to the end of the line), further columns, and
 /// lines of words before the first row (the header). Where semicolons or tabs part the columns, a
-/// comma is a decimal sign. Throws `InputError` with `place` and line number for a row that is too short or
-/// has something else than numbers.
+/// comma is a decimal sign. Throws `InputError` with `place` and line number for a row that is too
+/// short or has something else than numbers.
 NumberTable parse_number_table(std::string_view text, const std::string& place, int columns);
 
 /// A lamp's relative spectral power from the text of a table "wavelength_nm, power". Rows may stand

@@ -1,16 +1,18 @@
 #include "glare/template/glare_template.h"
 
-#include <numbers>
-
 #include "glare/base/error.h"
+#include "glare/base/units.h"
 
 namespace glare {
 
 std::string to_string(Normalization normalization) {
   switch (normalization) {
-    case Normalization::energy: return "energy";
-    case Normalization::absolute: return "absolute";
-    default: return "peak";
+    case Normalization::energy:
+      return "energy";
+    case Normalization::absolute:
+      return "absolute";
+    default:
+      return "peak";
   }
 }
 
@@ -20,7 +22,7 @@ Normalization normalization_from(const std::string& name) {
   throw OptionError("unknown normalization '" + name + "'; expected peak, energy or absolute");
 }
 
-double GlareTemplate::pixel_pitch_deg() const { return pixel_pitch_rad * 180 / std::numbers::pi; }
+double GlareTemplate::pixel_pitch_deg() const { return pixel_pitch_rad / kRadPerDeg; }
 
 double GlareTemplate::luminance(int x, int y) const {
   const Vector3& weights = color_space.xyz_from_rgb()[1];

@@ -32,9 +32,9 @@ struct GlareTemplate {
   double per_steradian = 0;    ///< Multiply a luminance by this to have it per steradian.
   double captured_energy = 0;  ///< Share of all the light that falls on the pixels, 0 to 1.
 
-  Xyz lamp_xyz{};           ///< The lamp's colour at Y = 1 (before any adaptation of white).
-  std::string lamp;         ///< Name or file name.
-  std::string observer;     ///< Name.
+  Xyz lamp_xyz{};        ///< The lamp's colour at Y = 1 (before any adaptation of white).
+  std::string lamp;      ///< Name or file name.
+  std::string observer;  ///< Name.
   WavelengthRange wavelength_range_nm;
   double aperture_width_mm = 0;
   double aperture_area_mm2 = 0;  ///< The integral of t^2.
@@ -47,7 +47,8 @@ struct GlareTemplate {
   /// Column and row of the pixel whose centre is the axis.
   std::array<int, 2> center_px() const { return {width() / 2, height() / 2}; }
   double pixel_pitch_deg() const;
-  /// Luminance of a pixel in the template's own normalisation.
+  /// Luminance of a pixel in the template's own normalisation; of the adapted colour, where white
+  /// was adapted to the lamp.
   double luminance(int x, int y) const;
 };
 

@@ -4,19 +4,16 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <numbers>
 
 #include "glare/aperture/open_part.h"
 #include "glare/base/error.h"
+#include "glare/base/units.h"
 #include "glare/color/gamut.h"
 #include "glare/spectrum/observer.h"
 
 namespace glare {
 
 namespace {
-
-constexpr double kMmPerNm = 1e-6;
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 /// A field may be this much wider than the reach, so that one written with three digits is taken;
 /// only the very shortest wavelength, to which the eye is all but blind, is then a little short.
@@ -37,10 +34,10 @@ void require_within_reach(double pixel_mm, double aperture_width_mm, const Pixel
   std::snprintf(text, sizeof text,
                 "a field of view of %g degrees is beyond the reach of the aperture: its pixels of "
                 "%.4g um reach %.5g degrees; give at most --fov-deg %.5g, or an aperture with "
-                "pixels of at most %.4g um (%.0f across its %g mm)",
+                "pixels of at most %.4g um (%.9g across its %g mm)",
                 field_of_view_deg, pixel_mm * 1e3, rounded_down(widest_deg),
-                rounded_down(widest_deg), needed_mm * 1e3,
-                std::ceil(aperture_width_mm / needed_mm), aperture_width_mm);
+                rounded_down(widest_deg), needed_mm * 1e3, std::ceil(aperture_width_mm / needed_mm),
+                aperture_width_mm);
   throw OptionError(text);
 }
 
@@ -48,7 +45,11 @@ void require_within_reach(double pixel_mm, double aperture_width_mm, const Pixel
 Matrix3 rgb_from_observed_xyz(const TemplateOptions& options, const Xyz& lamp_xyz) {
   const Matrix3& rgb_from_xyz = options.color_space.rgb_from_xyz();
   if (options.white == WhiteAdaptation::none) return rgb_from_xyz;
-  return rgb_from_xyz * bradford_adaptation(lamp_xyz, options.color_space.white_xyz());
+  try {
+    return rgb_from_xyz * bradford_adaptation(lamp_xyz, options.color_space.white_xyz());
+  } catch (const InputError&) {
+    throw OptionError("the lamp's colour is too saturated to be adapted to as white");
+  }
 }
 
 template <typename T>
@@ -122,10 +123,14 @@ PixelGrid pixel_grid(const TemplateOptions& options) {
   if (options.width < 1 || options.height < 1 || options.width > kLargest ||
       options.height > kLargest)
     throw OptionError("a template has 1 to 65535 pixels a side");
-  const double field_rad = options.field_of_view_deg * kRadPerDeg;
-  if (!(field_rad > 0) || !(field_rad < 2))
-    throw OptionError("the field of view is an angle above 0 and below 114 degrees");
-  return {options.width, options.height, field_rad / options.width};
+  // Direction sines go from -1 to 1, which is 114.6 degrees as they are counted here.
+  constexpr double kNarrowest_deg = 1e-6, kWidest_deg = 114;
+  const double longer_side =
+      static_cast<double>(std::max(options.width, options.height)) / options.width;
+  if (!(options.field_of_view_deg >= kNarrowest_deg &&
+        options.field_of_view_deg * longer_side <= kWidest_deg))
+    throw OptionError("the field of view, across width and height, is from 1e-6 to 114 degrees");
+  return {options.width, options.height, options.field_of_view_deg * kRadPerDeg / options.width};
 }
 
 double widest_field_of_view_deg(double pixel_mm, double shortest_nm, const PixelGrid& grid) {
@@ -147,6 +152,7 @@ FarField template_far_field(const Aperture& aperture, const TemplateOptions& opt
   const double open_side_mm = std::min(part.width, part.height) * aperture.pixel_mm();
   FarFieldRequest request = far_field_request(open_side_mm, grid, range);
   request.threads = options.threads;
+  request.progress = options.progress;
   return far_field(aperture, request);
 }
 
@@ -157,8 +163,8 @@ GlareTemplate make_template(const FarField& field, const Spectrum& lamp,
   const WavelengthRange range = effective_range(lamp, options);
 
   GlareTemplate result;
-  result.channels = spectral_integral(field, grid, lamp, observer, range, options.threads,
-                                      options.progress);
+  result.channels =
+      spectral_integral(field, grid, lamp, observer, range, options.threads, options.progress);
   result.color_space = options.color_space;
   result.pixel_pitch_rad = grid.pitch_rad;
   result.normalization = options.normalization;
@@ -178,19 +184,24 @@ GlareTemplate make_template(const FarField& field, const Spectrum& lamp,
 
 GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
                             const TemplateOptions& options, const std::string& lamp_name) {
-  const FarField field = template_far_field(aperture, options, effective_range(lamp, options));
-  return make_template(field, lamp, options, lamp_name);
+  constexpr double kShareOfFarField = 0.2;
+  TemplateOptions part = options;
+  part.progress = progress_part(options.progress, 0, kShareOfFarField);
+  const FarField field = template_far_field(aperture, part, effective_range(lamp, options));
+  part.progress = progress_part(options.progress, kShareOfFarField, 1);
+  return make_template(field, lamp, part, lamp_name);
 }
 
 std::uint64_t template_bytes(const ApertureSize& aperture, const TemplateOptions& options,
                              const WavelengthRange& range) {
   const PixelGrid grid = pixel_grid(options);
   const double side_mm = std::min(aperture.width, aperture.height) * aperture.pixel_mm;
-  constexpr std::uint64_t kBytesPerPixel = 3 * sizeof(float);
+  constexpr std::uint64_t kChannels = 3 * sizeof(float);
+  constexpr std::uint64_t kFile = 2 * kChannels;  // A buffer that grows by doubling.
   return bytes_of<float>(aperture.width, aperture.height) +
          far_field_bytes(aperture.width, aperture.height, aperture.pixel_mm,
                          far_field_request(side_mm, grid, range)) +
-         2 * kBytesPerPixel * bytes_of<std::byte>(grid.width, grid.height);
+         (kChannels + kFile) * bytes_of<std::byte>(grid.width, grid.height);
 }
 
 }  // namespace glare

@@ -27,22 +27,23 @@ enum class GamutMapping {
 };
 
 struct TemplateOptions {
-  int width = 512;                 ///< Pixels, 1 to 65535.
-  int height = 512;                ///< Pixels, 1 to 65535.
-  double field_of_view_deg = 5;    ///< Across the width, in direction sine; more than 0, below 114.
+  int width = 512;               ///< Pixels, 1 to 65535.
+  int height = 512;              ///< Pixels, 1 to 65535.
+  double field_of_view_deg = 5;  ///< Across the width, in direction sine; 1e-6 to 114.
   std::string observer = "cie1931-2deg";
   WavelengthRange wavelength_range_nm = {380, 780};
   RgbColorSpace color_space = lin_rec709_color_space();
   WhiteAdaptation white = WhiteAdaptation::none;
   Normalization normalization = Normalization::peak;
   GamutMapping gamut = GamutMapping::keep;
-  int threads = 0;                      ///< 0: as many as the machine has.
-  std::uint64_t memory_limit_bytes = 0; ///< 0: no limit.
+  int threads = 0;                       ///< 0: as many as the machine has.
+  std::uint64_t memory_limit_bytes = 0;  ///< 0: no limit.
   ProgressCallback progress;
 };
 
 /// The wavelengths that a template is integrated over: those of the options that the observer sees
-/// and the lamp's table covers. Throws `InputError` where there are none.
+/// and the lamp's table covers. Throws `InputError` where there are none or the lamp is dark there,
+/// `OptionError` for an unknown observer or a range that is empty or that the observer doesn't see.
 WavelengthRange effective_range(const Spectrum& lamp, const TemplateOptions& options);
 
 /// The pixels' directions. Throws `OptionError` for a size or field outside its range.
@@ -50,7 +51,8 @@ PixelGrid pixel_grid(const TemplateOptions& options);
 
 /// The widest field of view, in degrees across the width, that an aperture sampled every
 /// `pixel_mm` can show for wavelengths from `shortest_nm` on: the far field of samples repeats, so
-/// it reaches direction sines of +- shortest / (2 pixel). The height counts too, where it is larger.
+/// it reaches direction sines of +- shortest / (2 pixel). The height counts too, where it is
+/// larger.
 double widest_field_of_view_deg(double pixel_mm, double shortest_nm, const PixelGrid& grid);
 
 /// The glare template of an aperture and a lamp's relative spectral power. `lamp_name` is kept in

@@ -9,11 +9,13 @@
 
 namespace glare {
 
-/// The tone map that previews use: the middle is a luminance as a share of the brightest pixel's.
-inline constexpr SigmoidToneMap kPreviewToneMap{1.2e-6, 1.35};
+/// The tone map that previews use, of luminance per steradian, so that the same light looks the
+/// same whatever the field and the pixels are: the middle is what a wide pupil's light has at about
+/// 0.8 degrees, and the compression shows some five decades. Chosen by eye.
+inline constexpr SigmoidToneMap kPreviewToneMap{30, 1.35};
 
 /// The template tone-mapped to a display: R, G, B in [0, 1], encoded for sRGB.
 Image<std::array<float, 3>> preview(const GlareTemplate& glare_template,
-                                    const SigmoidToneMap& relative_tone_map = kPreviewToneMap);
+                                    const SigmoidToneMap& tone_map_per_steradian = kPreviewToneMap);
 
 }  // namespace glare

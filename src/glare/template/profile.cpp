@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "glare/base/units.h"
+
 namespace glare {
 
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 /// Distance of a pixel's centre from the axis, in pixels.
 double radius_px(const GlareTemplate& t, int x, int y) {
@@ -32,8 +32,8 @@ double share_inside(double dx, double dy, double circle_px) {
   int inside = 0;
   for (int j = 0; j < kPlaces; ++j)
     for (int i = 0; i < kPlaces; ++i)
-      inside += std::hypot(dx - 0.5 + (i + 0.5) / kPlaces, dy - 0.5 + (j + 0.5) / kPlaces) <=
-                circle_px;
+      inside +=
+          std::hypot(dx - 0.5 + (i + 0.5) / kPlaces, dy - 0.5 + (j + 0.5) / kPlaces) <= circle_px;
   return inside / static_cast<double>(kPlaces * kPlaces);
 }
 
@@ -74,7 +74,8 @@ std::optional<double> encircled_energy(const GlareTemplate& t, double radius_deg
   const auto center = t.center_px();
   const int reach = static_cast<int>(std::ceil(circle_px)) + 1;
   double sum = 0;
-  for (int y = std::max(0, center[1] - reach); y <= std::min(t.height() - 1, center[1] + reach); ++y)
+  for (int y = std::max(0, center[1] - reach); y <= std::min(t.height() - 1, center[1] + reach);
+       ++y)
     for (int x = std::max(0, center[0] - reach); x <= std::min(t.width() - 1, center[0] + reach);
          ++x)
       sum += t.luminance(x, y) * share_inside(x - center[0], y - center[1], circle_px);

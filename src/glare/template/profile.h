@@ -18,8 +18,8 @@ struct ProfileRing {
 };
 
 /// Luminance over angle: rings from the axis to the nearest border, each a factor 10^0.1 wider than
-/// the one within it, and none narrower than a pixel. Angles are direction sines in degrees; a pixel
-/// belongs to the ring that its centre is in.
+/// the one within it, and none but the innermost, the axis' own pixel, narrower than a pixel.
+/// Angles are direction sines in degrees; a pixel belongs to the ring that its centre is in.
 std::vector<ProfileRing> radial_profile(const GlareTemplate& glare_template);
 
 /// Share of all the light that falls within `radius_deg` of the axis, 0 to 1; pixels on the circle
@@ -27,15 +27,17 @@ std::vector<ProfileRing> radial_profile(const GlareTemplate& glare_template);
 /// template's pixels.
 std::optional<double> encircled_energy(const GlareTemplate& glare_template, double radius_deg);
 
-/// The brightest pixel, in the template's own normalisation.
+/// A pixel and its luminance, in the template's own normalisation.
 struct Peak {
-  int x = 0;
-  int y = 0;
+  int x = 0;  ///< Column, from 0 on the left.
+  int y = 0;  ///< Row, from 0 at the top.
   double luminance = 0;
 };
+
+/// The brightest pixel, the first of several; the template has at least one.
 Peak peak(const GlareTemplate& glare_template);
 
-/// Chromaticity of all the light in the template together.
+/// Chromaticity of all the light in the template together: of the sum of its pixels' XYZ.
 Chromaticity mean_chromaticity(const GlareTemplate& glare_template);
 
 }  // namespace glare

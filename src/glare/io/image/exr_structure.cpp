@@ -112,6 +112,7 @@ ExrPart cleaned_exr_header(Bytes& bytes, Reader& reader) {
   }
   const std::size_t length = reader.position() - 1 - start;
   if (const std::size_t missing = length - kept.size(); missing > 0) {
+    require(missing >= 8, "the header is damaged");
     append(kept, std::string_view("-\0-\0", 4));
     append_number(kept, missing - 8, 4, std::endian::little);
     kept.resize(length);

@@ -1,0 +1,52 @@
+#include "glare/template/template_eye.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "glare/base/error.h"
+#include "glare/base/units.h"
+
+namespace glare {
+
+namespace {
+
+constexpr double kCoarsest_mm = 0.008;
+
+/// Half of the pixel with which an aperture reaches a field of view of that width, and back: with a
+/// pixel of p it reaches lambda / p.
+double half_pixel_for(double field_rad, const WavelengthRange& range) {
+  return range.lo_nm * kMmPerNm / field_rad / 2;
+}
+double field_of_half_pixel_rad(double half_pixel_mm, const WavelengthRange& range) {
+  return range.lo_nm * kMmPerNm / half_pixel_mm / 2;
+}
+
+[[noreturn]] void throw_too_wide(double widest_rad, const PixelGrid& grid) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the built-in eye is drawn for fields of view of at most %.3g degrees across this "
+                "width",
+                widest_rad / kRadPerDeg * grid.width / std::max(grid.width, grid.height));
+  throw OptionError(text);
+}
+
+}  // namespace
+
+Aperture draw_template_eye(const EyeParameters& parameters, const TemplateOptions& options,
+                           const WavelengthRange& range) {
+  require_valid(parameters);
+  const PixelGrid grid = pixel_grid(options);
+  const double field_rad = grid.pitch_rad * std::max(grid.width, grid.height);
+  const double pixel_mm = std::min(kCoarsest_mm, half_pixel_for(field_rad, range));
+  const double finest_mm = finest_eye_pixel_mm(parameters);
+  if (pixel_mm < finest_mm) throw_too_wide(field_of_half_pixel_rad(finest_mm, range), grid);
+
+  const int width = static_cast<int>(std::ceil(eye_picture_width_mm(parameters) / pixel_mm));
+  const auto needed_bytes = template_bytes({width, width, pixel_mm}, options, range);
+  if (options.memory_limit_bytes != 0 && needed_bytes > options.memory_limit_bytes)
+    throw MemoryError(needed_bytes, options.memory_limit_bytes);
+  return draw_eye(parameters, pixel_mm, options.threads, options.progress);
+}
+
+}  // namespace glare
