@@ -4,6 +4,7 @@
 #include <glare/glare.h>
 #include <glare/glare_io.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -68,8 +69,9 @@ glare::GlareTemplate kernel_for(const Picture& picture, const glare::Aperture& e
 }
 
 void write_aperture(const char* path, const glare::Aperture& eye) {
-  glare::Image<float> small(360, 360);
-  const int step = eye.transmittance.width() / small.width();
+  const int step = eye.transmittance.width() / 360;
+  const int size = eye.transmittance.width() / step;
+  glare::Image<float> small(size, size);
   for (int y = 0; y < small.height(); ++y)
     for (int x = 0; x < small.width(); ++x)
       for (int i = 0; i < step * step; ++i)

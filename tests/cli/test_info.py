@@ -1,5 +1,6 @@
 """glare info: what a template is, as text and JSON, and files that are none."""
 
+import resource
 import struct
 
 import exr
@@ -90,6 +91,51 @@ class Info(GlareTest):
             self.assertIn(word, result.out)
 
 
+    def test_every_type_of_attribute_is_written_out(self):
+        self.make()
+        text, pack = b"one", struct.pack
+        cases = {  # name: type, bytes, text
+            "a": ("int", pack("<i", -7), "-7"), "b": ("double", pack("<d", 0.1), "0.1"),
+            "c": ("v2i", pack("<2i", 1, -2), "1 -2"), "d": ("v2f", pack("<2f", 0.1, 2), "0.1 2"),
+            "e": ("v2d", pack("<2d", 0.1, 2), "0.1 2"), "f": ("v3i", pack("<3i", 1, 2, 3), "1 2 3"),
+            "g": ("v3f", pack("<3f", 1, 2.5, 3), "1 2.5 3"),
+            "h": ("v3d", pack("<3d", 1, 2.5, 3), "1 2.5 3"),
+            "i": ("m33f", pack("<9f", *range(9)), "0 1 2 3 4 5 6 7 8"),
+            "j": ("m44f", pack("<16f", *range(16)), " ".join(map(str, range(16)))),
+            "k": ("box2i", pack("<4i", 1, 2, 3, 4), "1 2 3 4"),
+            "l": ("box2f", pack("<4f", 1, 2, 3, 4.5), "1 2 3 4.5"),
+            "m": ("rational", pack("<iI", 24000, 1001), "24000/1001"),
+            "n": ("stringvector", pack("<i", 3) + text + pack("<i", 3) + text, "one, one"),
+            "o": ("tiledesc", pack("<IIB", 64, 32, 1), "64 x 32, mipmap, rounded down"),
+            "p": ("timecode", pack("<II", 0x01023004, 0), "01:02:30:04"),
+            "q": ("envmap", b"\1", "cube"), "r": ("lineOrder", b"\1", "decreasing y"),
+            "s": ("compression", b"\4", "piz"), "t": ("mine", b"12345", "(5 bytes)"),
+            "u": ("string", "gl\u00e4re".encode(), "gl\u00e4re"),
+            "v": ("preview", pack("<2I4x", 1, 1), "(12 bytes)"),
+            "w": ("floatvector", pack("<2f", 1.5, 2), "1.5 2")}
+        data = exr.with_attributes(self.path("out.exr").read_bytes(), lambda a: a.update(
+            {name: (kind, raw) for name, (kind, raw, _) in cases.items()}))
+        header = self.info(self.write("more.exr", data))["header"]
+        for name, (kind, _, shown) in cases.items():
+            self.assertEqual(header[name], {"type": kind, "value": shown}, name)
+        self.assertEqual(header["channels"]["value"], "B float, G float, R float")
+        self.assertEqual(header["dataWindow"]["value"], "0 0 63 63")
+        self.assertEqual(header["compression"]["value"], "zip")
+
+    def test_text_is_whole_and_without_control_characters(self):
+        self.make()
+        name, value = "n" * 250, "v" * 5000 + "\x1b[31m\r\n\x7f\u009b!"
+        data = exr.with_attributes(self.path("out.exr").read_bytes(), lambda a: a.update(
+            {name: ("string", value.encode()), "glare:lamp": ("string", b"L\x1b]0;\x07P")}))
+        self.write("long.exr", data[:4] + struct.pack("<I", 0x402) + data[8:])
+        result = self.glare("info", "long.exr")
+        self.assertEqual((result.status, result.err), (0, ""))
+        self.assertIn("v" * 5000 + " [31m" + " " * 5 + "!", result.out)
+        self.assertIn(name, result.out)
+        self.assertIn("L ]0; P", result.out)
+        self.assertFalse([c for c in result.out if c != "\n" and (c < " " or "\x7f" <= c < "\xa0")])
+
+
 class NoTemplate(GlareTest):
     def check(self, name, *mentions):
         self.assert_refused(3, [name, *mentions], "info", name, "--json")
@@ -148,3 +194,20 @@ class NoTemplate(GlareTest):
                               ("type", whole.index(b"chlist") + 13, b"\7")):
             with self.subTest(name):
                 self.check(self.write("bad.exr", whole[:at] + raw + whole[at + len(raw):]))
+
+    def test_larger_than_its_data(self):
+        self.make()
+        whole = self.path("out.exr").read_bytes()
+        for side in (30000, 60000):
+            box = struct.pack("<4i", 0, 0, side - 1, side - 1)
+            self.write("bomb.exr", whole.replace(struct.pack("<4i", 0, 0, 63, 63), box))
+            limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
+            self.assert_refused(3, ["bomb.exr", "too little data"], "info", "bomb.exr",
+                                preexec_fn=limit)
+
+    def test_other_kinds_of_openexr(self):
+        self.make()
+        whole = self.path("out.exr").read_bytes()
+        for flag, word in ((0x200, "tiled"), (0x800, "deep"), (0x1000, "parts")):
+            self.check(self.write("kind.exr", whole[:4] + struct.pack("<I", 2 | flag) + whole[8:]),
+                       word)

@@ -96,6 +96,8 @@ case $step in
     "$out/make_template" "$out/pupil.pgm" "$out/eyelashes.pgm" 2 \
       "$source_dir/data/lamps/cie_a.csv" "$out/template_a.exr"
     if cmp -s "$out/template.exr" "$out/template_a.exr"; then fail "two lamps, one template"; fi
+    "$out/night_scene" "$out/scene.png" "$out/aperture.png" 64
+    [ "$(head -c 4 "$out/scene.png" | tail -c 3)" = PNG ] || fail "night_scene made no PNG"
     ;;
   core_only)
     built_with_package core_only "$source_dir/tests/install/core_only" \

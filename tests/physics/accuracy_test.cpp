@@ -18,7 +18,7 @@ namespace glare {
 namespace {
 
 /// Limits of the contract are 0.2 %, 2 % and 1.5; what is reached is far better, and kept.
-constexpr double kMedianLimit = 0.0005, kPercentile99Limit = 0.005, kDeltaE99Limit = 0.25;
+constexpr double kMedianLimit = 0.0002, kPercentile99Limit = 0.004, kDeltaE99Limit = 0.2;
 
 /// Pixels darker than this share of the peak don't count.
 constexpr double kDarkest = 1e-7;

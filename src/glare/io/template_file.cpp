@@ -65,16 +65,16 @@ void require_fits_half(const GlareTemplate& t) {
 /// Gives OpenEXR the pixels band by band.
 class PixelWriter {
  public:
-  PixelWriter(Imf::OutputFile& file, const GlareTemplate& t, bool half)
-      : file_(file), template_(t), half_(half) {
-    if (half_)
+  PixelWriter(Imf::OutputFile& file, const GlareTemplate& t, bool as_half)
+      : file_(file), template_(t), as_half_(as_half) {
+    if (as_half_)
       halves_.fill(Image<Imath::half>(t.width(), std::min(t.height(), kBandRows)));
     else
       file_.setFrameBuffer(frame_buffer_of(Imf::FLOAT, t.color_space, t.channels, {0, 0}));
   }
 
   void write(int first_row, int rows) {
-    if (half_) convert(first_row, rows);
+    if (as_half_) convert(first_row, rows);
     file_.writePixels(rows);
   }
 
@@ -89,7 +89,7 @@ class PixelWriter {
 
   Imf::OutputFile& file_;
   const GlareTemplate& template_;
-  bool half_;
+  bool as_half_;
   std::array<Image<Imath::half>, 3> halves_;
 };
 

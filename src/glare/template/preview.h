@@ -9,13 +9,12 @@
 
 namespace glare {
 
-/// The tone map that previews use, of luminance per steradian, so that the same light looks the
-/// same whatever the field and the pixels are: the middle is what a wide pupil's light has at about
-/// 0.8 degrees, and the compression shows some five decades. Chosen by eye.
-inline constexpr SigmoidToneMap kPreviewToneMap{30, 1.35};
+/// The tone map that previews use, of luminance as a multiple of the median pixel's: so a narrow
+/// and a wide field both show their streaks. Chosen by eye.
+inline constexpr SigmoidToneMap kPreviewToneMap{120, 1.25};
 
 /// The template tone-mapped to a display: R, G, B in [0, 1], encoded for sRGB.
 Image<std::array<float, 3>> preview(const GlareTemplate& glare_template,
-                                    const SigmoidToneMap& tone_map_per_steradian = kPreviewToneMap);
+                                    const SigmoidToneMap& relative_tone_map = kPreviewToneMap);
 
 }  // namespace glare

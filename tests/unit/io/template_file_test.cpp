@@ -7,9 +7,11 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "glare/base/error.h"
+#include "glare/io/color_config.h"
 #include "support/scratch_folder.h"
 #include "support/templates.h"
 
@@ -95,6 +97,35 @@ TEST(TemplateFile, XyzComesBackExactly) {
   EXPECT_TRUE(back.color_space.is_xyz());
 }
 
+TEST(TemplateFile, LuminanceIsTheSameAfterReading) {
+  const test::ScratchFolder folder;
+  GlareTemplate t = sample();
+  for (const char* name :
+       {"xyz", "lin_rec709", "lin_rec2020", "lin_p3d65", "acescg", "aces2065-1", "ntsc1953"}) {
+    t.color_space = find_color_space(name);
+    write_template(folder / "t.exr", t);
+    const GlareTemplate back = read_template(folder / "t.exr");
+    EXPECT_EQ(back.color_space.name(), name);
+    for (int k = 0; k < 3; ++k)  // Chromaticities are 32-bit floats.
+      EXPECT_NEAR(back.color_space.xyz_from_rgb()[1][k], t.color_space.xyz_from_rgb()[1][k], 1e-6)
+          << name;
+  }
+}
+
+TEST(TemplateFile, OneReadingGivesTheTemplateAndTheHeader) {
+  const test::ScratchFolder folder;
+  write_template(folder / "t.exr", sample());
+  const TemplateFile file = read_template_file(folder / "t.exr");
+  expect_same_pixels(file.glare_template, sample());
+  EXPECT_EQ(file.glare_template.lamp, "my lamp.csv");
+  const auto header = read_header(folder / "t.exr");
+  ASSERT_EQ(file.header.size(), header.size());
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    EXPECT_EQ(file.header[i].name, header[i].name);
+    EXPECT_EQ(file.header[i].value, header[i].value);
+  }
+}
+
 std::map<std::string, std::string> header_of(const std::filesystem::path& path) {
   std::map<std::string, std::string> out;
   for (const HeaderAttribute& a : read_header(path)) out[a.name] = a.type + " " + a.value;
@@ -110,8 +141,14 @@ TEST(TemplateFile, TheHeaderIsTheContracts) {
   EXPECT_EQ(header["glare:center_px"], "v2f 3 2");
   EXPECT_EQ(header["glare:normalization"], "string energy");
   EXPECT_EQ(header["glare:wavelengthRange_nm"], "v2f 390.5 781");
-  EXPECT_THAT(header["chromaticities"], HasSubstr("chromaticities 0.6399"));
+  EXPECT_THAT(header["chromaticities"], HasSubstr("chromaticities 0.64 0.33 0.3 0.6 "));
   EXPECT_THAT(header["channel R"], HasSubstr("float"));
+  EXPECT_EQ(header["channels"], "chlist B float, G float, R float");
+  EXPECT_EQ(header["compression"], "compression zip");
+  EXPECT_EQ(header["dataWindow"], "box2i 0 0 6 4");
+  EXPECT_EQ(header["displayWindow"], "box2i 0 0 6 4");
+  EXPECT_EQ(header["lineOrder"], "lineOrder increasing y");
+  EXPECT_EQ(header["pixelAspectRatio"], "float 1");
   GlareTemplate xyz = sample();
   xyz.color_space = xyz_color_space();
   write_template(folder / "t.exr", xyz, kHalf);
@@ -155,6 +192,54 @@ TEST(TemplateFile, CancellingLeavesNothing) {
   options.keep_going = [] { return false; };
   EXPECT_THROW(write_template(folder / "t.exr", sample(), options), Cancelled);
   EXPECT_FALSE(std::filesystem::exists(folder / "t.exr"));
+}
+
+/// More rows than are encoded at once.
+GlareTemplate tall_sample() {
+  GlareTemplate t = sample();
+  for (int k = 0; k < 3; ++k)
+    t.channels[k] = test::picture(9, 1000, [&](int x, int y) { return std::sin(k + x + 9 * y); });
+  return t;
+}
+
+TEST(TemplateFile, EncodingCanBeStopped) {
+  const test::ScratchFolder folder;
+  int asked = 0;
+  TemplateFileOptions options;
+  options.keep_going = [&] { return ++asked < 3; };
+  EXPECT_THROW(write_template(folder / "t.exr", tall_sample(), options), Cancelled);
+  EXPECT_EQ(asked, 3);
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "."));
+  asked = 0;
+  options.keep_going = [&] { return ++asked > 0; };
+  write_template(folder / "t.exr", tall_sample(), options);
+  EXPECT_GE(asked, 1000 / 256);
+}
+
+TEST(TemplateFile, TallPicturesAreWholeInFloatAndHalf) {
+  const test::ScratchFolder folder;
+  const GlareTemplate t = tall_sample();
+  write_template(folder / "t.exr", t);
+  expect_same_pixels(read_template(folder / "t.exr"), t);
+  write_template(folder / "h.exr", t, kHalf);
+  const GlareTemplate back = read_template(folder / "h.exr");
+  for (int k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < t.channels[k].values().size(); ++i)
+      ASSERT_NEAR(back.channels[k].values()[i], t.channels[k].values()[i], 1.0 / 4096);  // 11 bits.
+}
+
+TEST(TemplateFile, SeveralThreadsCanWriteAtOnce) {
+  const test::ScratchFolder folder;
+  const GlareTemplate t = tall_sample();
+  write_template(folder / "alone.exr", t);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back(
+        [&, i] { write_template(folder / (std::to_string(i) + ".exr"), t, with_threads(i)); });
+  for (std::thread& thread : threads) thread.join();
+  for (int i = 0; i < 4; ++i)
+    EXPECT_EQ(test::file_text(folder / (std::to_string(i) + ".exr")),
+              test::file_text(folder / "alone.exr"));
 }
 
 TEST(TemplateFile, WhereNoFileCanBeWrittenIsTold) {

@@ -33,8 +33,7 @@ namespace glare::openexr_io {
 namespace {
 
 template <typename Number>
-  requires std::integral<Number> || std::floating_point<Number>
-std::string text_of(Number number) {
+requires std::integral<Number> || std::floating_point<Number> std::string text_of(Number number) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
@@ -42,7 +41,7 @@ std::string text_of(Number number) {
 template <typename Number>
 std::string text_of(std::span<const Number> numbers) {
   std::string text;
-  for (const Number& number : numbers) text += (text.empty() ? "" : " ") + text_of(number);
+  for (const Number& number : numbers) text.append(text.empty() ? "" : " ").append(text_of(number));
   return text;
 }
 
@@ -79,7 +78,8 @@ std::string text_of(const std::string& text) { return text; }
 
 std::string text_of(const Imf::StringVector& texts) {
   std::string joined;
-  for (const std::string& text : texts) joined += (&text == &texts.front() ? "" : ", ") + text;
+  for (const std::string& text : texts)
+    joined.append(&text == &texts.front() ? "" : ", ").append(text);
   return joined;
 }
 
@@ -92,8 +92,10 @@ std::string text_of(const Imf::Rational& r) { return text_of(r.n) + "/" + text_o
 std::string text_of(const Imf::ChannelList& channels) {
   std::string text;
   for (auto c = channels.begin(); c != channels.end(); ++c)
-    text += (text.empty() ? "" : ", ") + std::string(c.name()) + " " +
-            openexr_io::text_of(c.channel().type);
+    text.append(text.empty() ? "" : ", ")
+        .append(c.name())
+        .append(" ")
+        .append(openexr_io::text_of(c.channel().type));
   return text;
 }
 
@@ -104,8 +106,8 @@ std::string name_of(int value, std::initializer_list<const char*> names) {
 }
 
 std::string text_of(Imf::Compression compression) {
-  return name_of(compression, {"none", "rle", "zips", "zip", "piz", "pxr24", "b44", "b44a", "dwaa",
-                               "dwab"});
+  return name_of(compression,
+                 {"none", "rle", "zips", "zip", "piz", "pxr24", "b44", "b44a", "dwaa", "dwab"});
 }
 
 std::string text_of(Imf::LineOrder order) {
@@ -124,7 +126,7 @@ std::string text_of(const Imf::TileDescription& tiles) {
 std::string text_of(const Imf::TimeCode& time) {
   std::string text;
   for (const int part : {time.hours(), time.minutes(), time.seconds(), time.frame()})
-    text += (text.empty() ? "" : ":") + std::string(part < 10 ? "0" : "") + text_of(part);
+    text.append(text.empty() ? "" : ":").append(part < 10 ? "0" : "").append(text_of(part));
   return text;
 }
 
@@ -132,7 +134,7 @@ std::string text_of(const Imf::TimeCode& time) {
 std::string size_text(const Imf::Attribute& attribute) {
   MemoryOutput value;
   attribute.writeValueTo(value, Imf::EXR_VERSION);
-  return "(" + text_of(value.size()) + " bytes)";
+  return std::string("(").append(text_of(value.size())).append(" bytes)");
 }
 
 template <typename... Values>
@@ -151,12 +153,12 @@ std::string text_as_one_of(const Imf::Attribute& attribute) {
 std::string text_of(Imf::PixelType type) { return name_of(type, {"uint", "half", "float"}); }
 
 std::string text_of(const Imf::Attribute& attribute) {
-  return text_as_one_of<int, float, double, std::string, Imath::V2i, Imath::V2f, Imath::V2d,
-                        Imath::V3i, Imath::V3f, Imath::V3d, Imath::M33f, Imath::M33d, Imath::M44f,
-                        Imath::M44d, Imath::Box2i, Imath::Box2f, Imf::ChannelList,
-                        Imf::Chromaticities, Imf::Compression, Imf::Envmap, Imf::FloatVector,
-                        Imf::LineOrder, Imf::Rational, Imf::StringVector, Imf::TileDescription,
-                        Imf::TimeCode>(attribute);
+  return text_as_one_of<
+      int, float, double, std::string, Imath::V2i, Imath::V2f, Imath::V2d, Imath::V3i, Imath::V3f,
+      Imath::V3d, Imath::M33f, Imath::M33d, Imath::M44f, Imath::M44d, Imath::Box2i, Imath::Box2f,
+      Imf::ChannelList, Imf::Chromaticities, Imf::Compression, Imf::Envmap, Imf::FloatVector,
+      Imf::LineOrder, Imf::Rational, Imf::StringVector, Imf::TileDescription, Imf::TimeCode>(
+      attribute);
 }
 
 }  // namespace glare::openexr_io

@@ -136,13 +136,15 @@ uint64_t run_length_decoded_bytes(Reader data) {
 }
 
 /// The block must be what its place in the table says, and whole. (Data that aren't smaller than
-/// the pixels are the pixels themselves.)
+/// the pixels are the pixels themselves; deflated data have a checksum.)
 void require_whole_block(Reader block, std::int64_t y, uint64_t raw_bytes, unsigned compression) {
   require(block.i32() == y, "a block of scan lines is damaged");
   const Bytes data = block.take(block.u32());
   require(data.size() <= raw_bytes, "a block of scan lines is damaged");
   if (data.size() == raw_bytes) return;
   require(compression != none, "a block of scan lines is cut short");
+  require(raw_bytes <= data.size() * block_of(compression).ratio,
+          "a block of scan lines has too little data");
   if (compression == rle)
     require(run_length_decoded_bytes(Reader(data)) == raw_bytes,
             "a block of scan lines is damaged");

@@ -19,6 +19,7 @@ struct ScanLines {
 /// Walks through the header and all the blocks of scan lines. Throws `image_io::BadImage` where the
 /// file is no OpenEXR file or of tiles, several parts or deep pixels; where it has subsampled
 /// channels, is damaged or cut short, or is smaller than its pixels can be compressed to.
+/// (A forged block that inflates to less than it should, with the right checksum, isn't noticed.)
 ScanLines checked_scan_lines(std::span<const std::byte> file);
 
 }  // namespace glare::openexr_io

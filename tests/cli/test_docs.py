@@ -1,0 +1,34 @@
+"""The documentation's links lead somewhere, and its commands are the program's."""
+import pathlib
+import re
+import unittest
+
+from cli import GlareTest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+class Docs(GlareTest):
+    def pages(self):
+        return [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md",
+                *ROOT.glob("docs/*.md"), *ROOT.glob("data/**/README.md"), ROOT / "cmf/README.md"]
+
+    def test_relative_links(self):
+        for page in self.pages():
+            text = page.read_text(encoding="utf-8")
+            links = re.findall(r"\]\(([^)#:]+)\)", text) + re.findall(r'src="([^":]+)"', text)
+            for link in links:
+                self.assertTrue((page.parent / link).exists(), f"{page.name}: {link}")
+
+    def test_commands_of_the_readme_are_understood(self):
+        text = (ROOT / "README.md").read_text(encoding="utf-8")
+        commands = re.findall(r"^(glare [a-z].*?)(?:\s+#.*)?$", text, re.MULTILINE)
+        self.assertGreater(len(commands), 3)
+        for command in commands:
+            for option in re.findall(r"--[a-z-]+", command):
+                shown = self.glare(command.split()[1], "--help").out
+                self.assertIn(option, shown, command)
+
+
+if __name__ == "__main__":
+    unittest.main()
