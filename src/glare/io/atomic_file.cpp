@@ -232,8 +232,8 @@ class TemporaryFile {
   /// to ask for it, as mkstemp and fchmod would need, is to change it for every thread.
   int created(const Target& target) {
     static std::atomic<unsigned> counter{0};
-    const std::string stem =
-        "." + target.path.filename().native().substr(0, kMaxTemporaryStem) + ".glare-";
+    std::string stem = ".";
+    stem.append(target.path.filename().native(), 0, kMaxTemporaryStem).append(".glare-");
     for (int attempt = 0; attempt < 1000; ++attempt) {
       path_ = target.folder / (stem + std::to_string(::getpid()) + "-" + std::to_string(counter++));
       const int fd = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
