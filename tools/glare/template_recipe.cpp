@@ -1,15 +1,78 @@
 #include "template_recipe.h"
 
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
+#include <vector>
 
 #include "glare/io/sha256.h"
+#include "glare/spectrum/lamps.h"
 
 namespace glare::tool {
 
-std::string recipe(const std::vector<RecipeOption>& options) {
+namespace {
+
+/// An option as it took effect, and the file it names, if any.
+struct RecipeOption {
+  std::string name;  ///< "--lamp"
+  std::vector<std::string> values;
+  std::filesystem::path file;  ///< Empty where the option names no file.
+};
+
+/// A number in as few digits as give it back.
+std::string text_of(double number) {
+  char text[40];
+  for (int digits = 6; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    if (std::strtod(text, nullptr) == number) break;
+  }
+  return text;
+}
+
+std::vector<RecipeOption> recipe_options(const TemplateArguments& a, const NamedLamp& lamp) {
+  std::vector<RecipeOption> options;
+  const auto add_file = [&](const char* name, const std::filesystem::path& file) {
+    if (!file.empty()) options.push_back({name, {file.filename().string()}, file});
+  };
+  add_file("--pupil", a.pupil);
+  add_file("--eyelashes", a.eyelashes);
+  if (a.has_images()) {
+    options.push_back({"--width-mm", {text_of(*a.width_mm)}, {}});
+  } else {
+    options.push_back({"--pupil-mm", {text_of(a.pupil_diameter_mm)}, {}});
+    options.push_back({"--seed", {std::to_string(a.seed)}, {}});
+  }
+  // A file that is named like a built-in lamp is told from it by its folder.
+  const bool ambiguous = !lamp.file.empty() && find_lamp(lamp.name).has_value();
+  options.push_back({"--lamp", {(ambiguous ? "./" : "") + lamp.name}, lamp.file});
+  options.push_back({"--observer", {a.observer}, {}});
+  options.push_back({"--wavelength-range-nm",
+                     {text_of(a.wavelength_range_nm[0]), text_of(a.wavelength_range_nm[1])},
+                     {}});
+  options.push_back({"--size", {a.size}, {}});
+  options.push_back({"--fov-deg", {text_of(a.fov_deg)}, {}});
+  options.push_back({"--colorspace", {a.color_space}, {}});
+  const std::filesystem::path config = user_color_config(a);
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(config, ignored))
+    add_file("--ocio", config);
+  else if (!config.empty())  // A name such as ocio://default.
+    options.push_back({"--ocio", {config.string()}, {}});
+  options.push_back({"--white", {a.white}, {}});
+  options.push_back({"--normalize", {a.normalize}, {}});
+  options.push_back({"--gamut", {a.gamut}, {}});
+  if (a.half) options.push_back({"--half", {}, {}});
+  return options;
+}
+
+}  // namespace
+
+std::string recipe(const TemplateArguments& arguments, const NamedLamp& lamp) {
   nlohmann::ordered_json command = {"glare", "template"};
   nlohmann::ordered_json inputs = nlohmann::ordered_json::array();
-  for (const RecipeOption& option : options) {
+  for (const RecipeOption& option : recipe_options(arguments, lamp)) {
     command.push_back(option.name);
     for (const std::string& value : option.values) command.push_back(value);
     if (!option.file.empty())

@@ -17,8 +17,7 @@ namespace glare {
 namespace {
 
 /// Quadrature nodes for each cycle that the pattern's finest detail goes through over the range of
-/// wavenumbers. Fewer leave
-/// traces of narrow lines; docs/validation.md has the errors that are left.
+/// wavenumbers. Fewer leave traces of narrow lines; docs/validation.md has the errors that are left.
 constexpr double kNodesPerCycle = 3;
 constexpr int kFewestNodes = 48;
 
