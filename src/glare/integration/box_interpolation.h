@@ -29,7 +29,7 @@ inline constexpr WindowedSinc kInterpolatingKernel{12, 10.5};
 
 /// For samples at 1.25 times the critical rate or more and intervals of several samples, which
 /// average: errs only in the detail that the mean takes away.
-inline constexpr WindowedSinc kAveragingKernel{8, 6.5};
+inline constexpr WindowedSinc kAveragingKernel{12, 8};
 
 /// Interpolates between samples with a windowed sinc, normalised so that a constant stays exactly
 /// what it is, and integrates the interpolant over intervals by a table of the kernel's running
