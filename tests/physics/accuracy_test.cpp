@@ -23,7 +23,7 @@ constexpr double kMedianLimit = 0.0002, kPercentile99Limit = 0.004, kDeltaE99Lim
 /// Pixels darker than this share of the peak don't count.
 constexpr double kDarkest = 1e-7;
 
-const char* const kLamps[] = {"A", "HP5", "FL11", "LED-B3", "lines"};
+const char* const kLamps[] = {"A", "HP5", "FL11", "LED-B3", "lines", "laser"};
 
 /// Sampled at 1 nm with lines 1.2 to 8 nm wide (full width at half maximum): harder than any CIE
 /// table.
@@ -44,7 +44,11 @@ Spectrum lamp_with_narrow_lines() {
   return Spectrum(wavelengths_nm, power);
 }
 
+/// One line of 0.2 nm in a table as wide as the others: its dark speckles hide no error.
+Spectrum laser() { return Spectrum({380, 632.7, 632.8, 632.9, 780}, {0, 0, 1, 0, 0}); }
+
 Spectrum lamp_of(const std::string& name) {
+  if (name == "laser") return laser();
   return name == "lines" ? lamp_with_narrow_lines() : *find_lamp(name);
 }
 
@@ -138,8 +142,10 @@ TEST_P(Accuracy, AgreesWithTheExactReference) {
     std::printf("%-22s %-7s %5zu px  luminance: median %.4f %%, 99th %.4f %%;  CIEDE2000: 99th %.4f\n",
                 c.name, kLamps[i], errors.luminance.size(), 100 * median, 100 * p99, delta_e_99);
     EXPECT_LE(median, kMedianLimit) << kLamps[i];
-    EXPECT_LE(p99, kPercentile99Limit) << kLamps[i];
-    EXPECT_LE(delta_e_99, kDeltaE99Limit) << kLamps[i];
+    // A laser's dark rings are zeros, near which an error of 1e-5 of what is around them counts.
+    const double nulls = std::string(kLamps[i]) == "laser" ? 3 : 1;
+    EXPECT_LE(p99, nulls * kPercentile99Limit) << kLamps[i];
+    EXPECT_LE(delta_e_99, nulls * kDeltaE99Limit) << kLamps[i];
   }
 }
 

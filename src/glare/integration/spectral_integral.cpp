@@ -1,9 +1,11 @@
 #include "glare/integration/spectral_integral.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 #include "glare/base/error.h"
 #include "glare/base/parallel.h"
@@ -17,8 +19,11 @@ namespace glare {
 namespace {
 
 /// Quadrature nodes for each cycle that the pattern's finest detail goes through over the range of
-/// wavenumbers. Fewer leave traces of narrow lines; docs/validation.md has the errors that are left.
-constexpr double kNodesPerCycle = 3;
+/// wavenumbers. Fewer leave traces of narrow lines; docs/validation.md has the errors that are
+/// left. Light of all but one wavelength has speckles with dark nulls, which no other light fills,
+/// and needs more.
+constexpr double kNodesPerCycle = 3, kNodesPerCycleOfNarrowLight = 10;
+constexpr double kNarrowLight_nm = 20;
 constexpr int kFewestNodes = 48;
 
 /// Detail finer than this share of a pixel is averaged away in the pixel's mean.
@@ -28,16 +33,34 @@ double wavenumber_span_per_mm(const WavelengthRange& range) {
   return 1 / (range.lo_nm * kMmPerNm) - 1 / (range.hi_nm * kMmPerNm);
 }
 
+/// The width of the light that the observer sees: (integral of S ȳ)^2 / integral of (S ȳ)^2, by a
+/// sum over its samples and the middles between them.
+double effective_width_nm(const Spectrum& lamp, const ColorMatchingFunctions& observer,
+                          const WavelengthRange& range) {
+  const std::array<const Spectrum*, 2> spectra = {&lamp, &observer.y_bar};
+  const std::vector<double> knots_nm = union_of_knots(spectra, range);
+  double sum = 0, sum_of_squares = 0;
+  for (std::size_t i = 1; i < knots_nm.size(); ++i) {
+    const double lo = knots_nm[i - 1], hi = knots_nm[i], middle = (lo + hi) / 2;
+    for (const auto& [nm, weight] : {std::pair{lo, 1.0}, {middle, 4.0}, {hi, 1.0}}) {
+      const double light = lamp(nm) * observer.y_bar(nm);
+      sum += (hi - lo) / 6 * weight * light;
+      sum_of_squares += (hi - lo) / 6 * weight * light * light;
+    }
+  }
+  return sum * sum / sum_of_squares;
+}
+
 /// How many quadrature nodes the pixel of a tile farthest from the axis needs. As the wavenumber nu
 /// grows, the light from two places of the aperture x apart goes through theta.x nu cycles.
 int node_count(const Tile& tile, const FarField& field, double pitch_rad,
-               const WavelengthRange& range) {
+               const WavelengthRange& range, double nodes_per_cycle) {
   const double theta_x = pitch_rad * std::max(std::abs(tile.x0), std::abs(tile.x1));
   const double theta_y = pitch_rad * std::max(std::abs(tile.y0), std::abs(tile.y1));
   const double farthest_mm = range.hi_nm * kMmPerNm / (kFinestDetail_px * pitch_rad);
   const double path_mm = theta_x * std::min(field.extent_x_mm, farthest_mm) +
                          theta_y * std::min(field.extent_y_mm, farthest_mm);
-  const double nodes = kFewestNodes + kNodesPerCycle * path_mm * wavenumber_span_per_mm(range);
+  const double nodes = kFewestNodes + nodes_per_cycle * path_mm * wavenumber_span_per_mm(range);
   // Rounded up to a few sizes, so that many tiles share one quadrature.
   return static_cast<int>(std::exp2(std::ceil(std::log2(nodes) * 4) / 4));
 }
@@ -116,10 +139,12 @@ XyzImage spectral_integral(const FarField& field, const PixelGrid& grid, const S
   xyz_from_spectrum(lamp, observer, range);  // Throws for a lamp without light.
   require_wide_enough(field, grid, range);
   const std::vector<Tile> tiles = half_plane_tiles(grid);
+  const bool narrow = effective_width_nm(lamp, observer, range) < kNarrowLight_nm;
+  const double nodes_per_cycle = narrow ? kNodesPerCycleOfNarrowLight : kNodesPerCycle;
   std::map<int, WavenumberQuadrature> quadratures;
   std::vector<const WavenumberQuadrature*> quadrature_of_tile;
   for (const Tile& tile : tiles) {
-    const int nodes = node_count(tile, field, grid.pitch_rad, range);
+    const int nodes = node_count(tile, field, grid.pitch_rad, range, nodes_per_cycle);
     auto& quadrature = quadratures[nodes];
     if (quadrature.weights.empty())
       quadrature = wavenumber_quadrature(lamp, observer, range, nodes);
