@@ -70,7 +70,7 @@ std::vector<ProfileRing> radial_profile(const GlareTemplate& t) {
 
 std::optional<double> encircled_energy(const GlareTemplate& t, double radius_deg) {
   const double circle_px = radius_deg * kRadPerDeg / t.pixel_pitch_rad;
-  if (circle_px > inscribed_radius_px(t)) return std::nullopt;
+  if (circle_px < 1 || circle_px > inscribed_radius_px(t)) return std::nullopt;
   const auto center = t.center_px();
   const int reach = static_cast<int>(std::ceil(circle_px)) + 1;
   double sum = 0;

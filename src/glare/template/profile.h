@@ -24,7 +24,8 @@ std::vector<ProfileRing> radial_profile(const GlareTemplate& glare_template);
 
 /// Share of all the light that falls within `radius_deg` of the axis, 0 to 1; pixels on the circle
 /// count by the share of their area inside. Nothing where the circle isn't wholly inside the
-/// template's pixels.
+/// template's pixels, or its radius is less than a pixel: how the light lies within one isn't
+/// known.
 std::optional<double> encircled_energy(const GlareTemplate& glare_template, double radius_deg);
 
 /// A pixel and its luminance, in the template's own normalisation.

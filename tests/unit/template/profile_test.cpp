@@ -64,13 +64,18 @@ TEST(Profile, AveragesAroundTheAxisOfEvenSizesToo) {
 
 TEST(EncircledEnergy, OfAConstantIsTheCirclesArea) {
   const GlareTemplate t = grey(81, 101, [](int, int) { return 4; });
-  for (const double radius_px : {0.3, 0.5, 3.3, 20.0, 40.5}) {
+  for (const double radius_px : {1.0, 1.5, 3.3, 20.0, 40.5}) {
     const auto energy = encircled_energy(t, radius_px * kPitch_deg);
     ASSERT_TRUE(energy.has_value()) << radius_px;
     const double area = kPi * radius_px * radius_px * kPitch_rad * kPitch_rad;
     // Pixels on the circle are told by 16 x 16 places, some 1 / 16 pixel of the radius.
     EXPECT_NEAR(*energy / (1000 * area), 1, 0.02 / radius_px) << radius_px;
   }
+}
+
+TEST(EncircledEnergy, IsUnknownWithinAPixel) {
+  const GlareTemplate t = grey(81, 101, [](int, int) { return 4; });
+  EXPECT_FALSE(encircled_energy(t, 0.9 * kPitch_deg));
 }
 
 TEST(EncircledEnergy, IsUnknownWhereTheTemplateEnds) {
