@@ -54,8 +54,8 @@ void add_glare(Picture& picture, const glare::GlareTemplate& kernel, const Lamp&
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x)
       for (std::size_t k = 0; k < 3; ++k)
-        picture(x, y)[k] += static_cast<float>(lamp.illuminance_lux *
-                                               kernel.channels[k](x + left, y + top));
+        picture(x, y)[k] +=
+            static_cast<float>(lamp.illuminance_lux * kernel.channels[k](x + left, y + top));
 }
 
 /// A template as fine as the picture, and twice its size, so that it reaches across all of it.
@@ -87,8 +87,8 @@ void run(const char* scene_path, const char* aperture_path, int width) {
 
   Picture picture = street_picture(width);
   const glare::GlareTemplate kernel = kernel_for(picture, eye);
-  for (const Lamp& lamp : {Lamp{0.578, 0.272, 0.06}, Lamp{0.663, 0.272, 0.06},
-                           Lamp{0.25, 0.15, 0.004}})
+  for (const Lamp& lamp :
+       {Lamp{0.578, 0.272, 0.06}, Lamp{0.663, 0.272, 0.06}, Lamp{0.25, 0.15, 0.004}})
     add_glare(picture, kernel, lamp);
 
   const glare::SigmoidToneMap tone_map{2.0, 1.3};  // half of white at 2 cd/m^2

@@ -34,9 +34,9 @@ Spectrum lamp_with_narrow_lines() {
   std::vector<double> wavelengths_nm, power;
   for (int nm = 380; nm <= 780; ++nm) {
     double sum = 0.05;
-    for (const Line& line : {Line{404.7, 1.4, 1}, Line{435.8, 1.2, 2}, Line{486, 1.9, 1},
-                             Line{546.1, 1.4, 4}, Line{578, 2.8, 2}, Line{611, 2.4, 5},
-                             Line{660, 8, 2}})
+    for (const Line& line :
+         {Line{404.7, 1.4, 1}, Line{435.8, 1.2, 2}, Line{486, 1.9, 1}, Line{546.1, 1.4, 4},
+          Line{578, 2.8, 2}, Line{611, 2.4, 5}, Line{660, 8, 2}})
       sum += line.power * std::exp2(-4 * std::pow((nm - line.center_nm) / line.width_nm, 2));
     wavelengths_nm.push_back(nm);
     power.push_back(sum);
@@ -139,8 +139,9 @@ TEST_P(Accuracy, AgreesWithTheExactReference) {
     const double median = percentile(errors.luminance, 0.5);
     const double p99 = percentile(errors.luminance, 0.99);
     const double delta_e_99 = percentile(errors.delta_e, 0.99);
-    std::printf("%-22s %-7s %5zu px  luminance: median %.4f %%, 99th %.4f %%;  CIEDE2000: 99th %.4f\n",
-                c.name, kLamps[i], errors.luminance.size(), 100 * median, 100 * p99, delta_e_99);
+    std::printf(
+        "%-22s %-7s %5zu px  luminance: median %.4f %%, 99th %.4f %%;  CIEDE2000: 99th %.4f\n",
+        c.name, kLamps[i], errors.luminance.size(), 100 * median, 100 * p99, delta_e_99);
     EXPECT_LE(median, kMedianLimit) << kLamps[i];
     // A laser's dark rings are zeros, near which an error of 1e-5 of what is around them counts.
     const double nulls = std::string(kLamps[i]) == "laser" ? 3 : 1;

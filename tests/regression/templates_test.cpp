@@ -55,8 +55,8 @@ void write_picture(const fs::path& path, const Aperture& aperture) {
 /// A folder with the aperture pictures that the commands name.
 fs::path working_folder() {
   static const fs::path folder = [] {
-    const fs::path path = fs::path(testing::TempDir()) / ("glare_regression_" +
-                                                          std::to_string(std::random_device{}()));
+    const fs::path path = fs::path(testing::TempDir()) /
+                          ("glare_regression_" + std::to_string(std::random_device{}()));
     fs::create_directories(path);
     write_picture(path / "lashes.png", test::lashed_pupil({256, 256, 5}, 4.5));
     write_picture(path / "lopsided.png", test::lopsided({240, 160, 6}));
@@ -67,8 +67,9 @@ fs::path working_folder() {
 
 GlareTemplate made_by_command(const StoredTemplate& stored) {
   const fs::path output = working_folder() / (stored.name + ".exr");
-  const std::string command = "cd '" + working_folder().string() + "' && '" GLARE_PROGRAM
-                              "' template --quiet -o '" + output.string() + "' " + stored.options;
+  const std::string command = "cd '" + working_folder().string() +
+                              "' && '" GLARE_PROGRAM "' template --quiet -o '" + output.string() +
+                              "' " + stored.options;
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   if (std::getenv("GLARE_UPDATE_TEMPLATES") != nullptr)
     fs::copy_file(output, stored.file(), fs::copy_options::overwrite_existing);
@@ -97,8 +98,8 @@ TEST_P(Regression, MakesTheStoredPicture) {
         sum += share;
         if (share <= largest) continue;
         largest = share;
-        where = "channel " + std::to_string(k) + " at " + std::to_string(x) + ", " +
-                std::to_string(y);
+        where =
+            "channel " + std::to_string(k) + " at " + std::to_string(x) + ", " + std::to_string(y);
       }
     }
   EXPECT_LE(largest, kLargestDifference) << where;

@@ -11,6 +11,20 @@ Spectrum line_lamp(double center_nm, double half_width_nm) {
   return Spectrum({center_nm - half_width_nm, center_nm, center_nm + half_width_nm}, {0, 1, 0});
 }
 
+const Aperture& small_pupil() {
+  static const Aperture pupil = circle({128, 128, 4}, 3);
+  return pupil;
+}
+
+TemplateOptions small_options() {
+  TemplateOptions options;
+  options.width = 33;
+  options.height = 21;
+  options.field_of_view_deg = 0.3;
+  options.threads = 2;
+  return options;
+}
+
 TemplateOptions absolute_xyz(int width, int height, double pitch_rad) {
   TemplateOptions options;
   options.width = width;

@@ -11,6 +11,12 @@ namespace glare::test {
 /// A lamp of one narrow line: a triangle that is 0 at `half_width_nm` either side of its centre.
 Spectrum line_lamp(double center_nm, double half_width_nm = 0.5);
 
+/// A round pupil of 3 mm, 128 x 128 samples over 4 mm.
+const Aperture& small_pupil();
+
+/// Options for a quick template of it: 33 x 21 pixels, 0.3 degrees, two threads.
+TemplateOptions small_options();
+
 /// X, Y, Z per steradian in pixels of `pitch_rad`.
 TemplateOptions absolute_xyz(int width, int height, double pitch_rad);
 

@@ -1,11 +1,9 @@
 #include "glare/integration/spectral_integral.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <utility>
 
 #include "glare/base/error.h"
 #include "glare/base/parallel.h"
@@ -31,24 +29,6 @@ constexpr double kFinestDetail_px = 1;
 
 double wavenumber_span_per_mm(const WavelengthRange& range) {
   return 1 / (range.lo_nm * kMmPerNm) - 1 / (range.hi_nm * kMmPerNm);
-}
-
-/// The width of the light that the observer sees: (integral of S ȳ)^2 / integral of (S ȳ)^2, by a
-/// sum over its samples and the middles between them.
-double effective_width_nm(const Spectrum& lamp, const ColorMatchingFunctions& observer,
-                          const WavelengthRange& range) {
-  const std::array<const Spectrum*, 2> spectra = {&lamp, &observer.y_bar};
-  const std::vector<double> knots_nm = union_of_knots(spectra, range);
-  double sum = 0, sum_of_squares = 0;
-  for (std::size_t i = 1; i < knots_nm.size(); ++i) {
-    const double lo = knots_nm[i - 1], hi = knots_nm[i], middle = (lo + hi) / 2;
-    for (const auto& [nm, weight] : {std::pair{lo, 1.0}, {middle, 4.0}, {hi, 1.0}}) {
-      const double light = lamp(nm) * observer.y_bar(nm);
-      sum += (hi - lo) / 6 * weight * light;
-      sum_of_squares += (hi - lo) / 6 * weight * light * light;
-    }
-  }
-  return sum * sum / sum_of_squares;
 }
 
 /// How many quadrature nodes the pixel of a tile farthest from the axis needs. As the wavenumber nu

@@ -40,19 +40,24 @@ ColorMatchingFunctions read_observer(const ObserverFile& file) {
           Spectrum(columns[0], columns[3])};
 }
 
+/// Simpson's rule on each interval between neighbouring knots.
+template <typename Function>
+double simpson(const std::vector<double>& knots, const Function& f) {
+  double sum = 0;
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const double lo = knots[i - 1], hi = knots[i];
+    sum += (hi - lo) / 6 * (f(lo) + 4 * f((lo + hi) / 2) + f(hi));
+  }
+  return sum;
+}
+
 /// The integral of a product of two functions that are linear between the knots; Simpson's rule is
 /// exact for it.
 double integral_of_product(const Spectrum& a, const Spectrum& b, const WavelengthRange& range) {
   const WavelengthRange common = intersection(intersection(a.range(), b.range()), range);
   if (common.empty()) return 0;
   const std::array<const Spectrum*, 2> both = {&a, &b};
-  const std::vector<double> knots_nm = union_of_knots(both, common);
-  double sum = 0;
-  for (std::size_t i = 1; i < knots_nm.size(); ++i) {
-    const double lo = knots_nm[i - 1], hi = knots_nm[i], middle = (lo + hi) / 2;
-    sum += (hi - lo) / 6 * (a(lo) * b(lo) + 4 * a(middle) * b(middle) + a(hi) * b(hi));
-  }
-  return sum;
+  return simpson(union_of_knots(both, common), [&](double nm) { return a(nm) * b(nm); });
 }
 
 double integral(const Spectrum& spectrum, const WavelengthRange& range) {
@@ -84,6 +89,15 @@ const ColorMatchingFunctions& color_matching_functions(std::string_view observer
 double luminous_integral(const Spectrum& lamp, const ColorMatchingFunctions& observer,
                          const WavelengthRange& range) {
   return integral_of_product(lamp, observer.y_bar, range);
+}
+
+double effective_width_nm(const Spectrum& lamp, const ColorMatchingFunctions& observer,
+                          const WavelengthRange& range) {
+  const std::array<const Spectrum*, 2> spectra = {&lamp, &observer.y_bar};
+  const std::vector<double> knots_nm = union_of_knots(spectra, range);
+  const auto light = [&](double nm) { return lamp(nm) * observer.y_bar(nm); };
+  const double sum = simpson(knots_nm, light);
+  return sum * sum / simpson(knots_nm, [&](double nm) { return light(nm) * light(nm); });
 }
 
 Xyz xyz_from_spectrum(const Spectrum& lamp, const ColorMatchingFunctions& observer,

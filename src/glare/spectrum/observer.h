@@ -37,6 +37,12 @@ Xyz xyz_from_spectrum(const Spectrum& lamp, const ColorMatchingFunctions& observ
 double luminous_integral(const Spectrum& lamp, const ColorMatchingFunctions& observer,
                          const WavelengthRange& range);
 
+/// How wide the light is that the observer sees of a lamp, in nm: (integral of S ȳ)^2 / integral of
+/// (S ȳ)^2 over the range, by Simpson's rule between the samples. A single line's is about its own
+/// width, daylight's some 100 nm. Not a number where the lamp has no light there.
+double effective_width_nm(const Spectrum& lamp, const ColorMatchingFunctions& observer,
+                          const WavelengthRange& range);
+
 /// Share of the observer's luminous sensitivity (the integral of ȳ over `range`) that lies outside
 /// the wavelengths which the lamp's table covers; 0 to 1.
 double share_of_sensitivity_missed(const Spectrum& lamp, const ColorMatchingFunctions& observer,

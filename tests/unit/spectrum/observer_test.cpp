@@ -142,5 +142,12 @@ TEST(Observer, ShareOfSensitivityThatALampMisses) {
   EXPECT_EQ(share_of_sensitivity_missed(Spectrum({380, 780}, {1, 1}), observer, {900, 950}), 1);
 }
 
+TEST(EffectiveWidth, OfATriangularLineIsThreeQuartersOfItsBase) {
+  // (integral of S)^2 / integral of S^2; the observer hardly changes within the line.
+  const Spectrum line({380, 554.9, 555, 555.1, 780}, {0, 0, 1, 0, 0});
+  const auto& observer = color_matching_functions("cie1931-2deg");
+  EXPECT_NEAR(effective_width_nm(line, observer, {380, 780}), 0.75 * 0.2, 1e-4);
+}
+
 }  // namespace
 }  // namespace glare

@@ -15,21 +15,9 @@
 namespace glare {
 namespace {
 
-const Aperture& pupil() {
-  static const Aperture circle = test::circle({128, 128, 4}, 3);
-  return circle;
-}
-
+const Aperture& pupil() { return test::small_pupil(); }
 Spectrum lamp() { return *find_lamp("LED-B3"); }
-
-TemplateOptions small() {
-  TemplateOptions options;
-  options.width = 33;
-  options.height = 21;
-  options.field_of_view_deg = 0.3;
-  options.threads = 2;
-  return options;
-}
+TemplateOptions small() { return test::small_options(); }
 
 GlareTemplate made(const TemplateOptions& options) {
   return make_template(pupil(), lamp(), options, "my lamp");
