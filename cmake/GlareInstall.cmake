@@ -1,6 +1,6 @@
-# `cmake --install`: the libraries and their headers, the program, a package for find_package(glare
-# CONFIG) with the components core and io, and one for pkg-config. Nothing in it holds the prefix:
-# the installed tree can be moved.
+# `cmake --install`: the libraries and their headers, glare_io's modules, the program, a package for
+# find_package(glare CONFIG) with the components core and io, and one for pkg-config. Nothing in it
+# holds the prefix: the installed tree can be moved.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glare)
 set(package_build_dir ${PROJECT_BINARY_DIR}/package)
@@ -14,6 +14,12 @@ foreach(component core io)
           FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(EXPORT glare-${component}-targets NAMESPACE glare:: DESTINATION ${package_dir})
 endforeach()
+# The modules: in a folder of this version beside libglare_io, as src/glare/CMakeLists.txt has it.
+if(BUILD_SHARED_LIBS)
+  set(module_folder glare-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  install(TARGETS glare_image_codec glare_color_config
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${module_folder})
+endif()
 if(GLARE_BUILD_TOOLS)
   install(TARGETS glare RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

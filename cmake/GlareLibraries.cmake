@@ -15,9 +15,11 @@ function(glare_find_libraries out_missing)
     # Debian ships no CMake config for single-precision FFTW.
     pkg_check_modules(FFTW3F QUIET IMPORTED_TARGET fftw3f)
     find_package(TBB CONFIG QUIET)
+    find_package(hwy CONFIG QUIET)
     foreach(library "Threads::Threads|POSIX threads (libc6-dev)"
                     "PkgConfig::FFTW3F|FFTW 3, single precision (libfftw3-dev)"
-                    "TBB::tbb|oneTBB (libtbb-dev)")
+                    "TBB::tbb|oneTBB (libtbb-dev)"
+                    "hwy::hwy|Highway (libhwy-dev)")
       glare_note_missing(missing "${library}")
     endforeach()
   endif()

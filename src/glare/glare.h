@@ -11,6 +11,7 @@
 #include "glare/color/matrix.h"
 #include "glare/color/tone_map.h"
 #include "glare/diffraction/far_field.h"
+#include "glare/diffraction/transform_plans.h"
 #include "glare/integration/spectral_integral.h"
 #include "glare/spectrum/lamps.h"
 #include "glare/spectrum/observer.h"

@@ -9,3 +9,4 @@
 #include "glare/io/memory.h"
 #include "glare/io/sha256.h"
 #include "glare/io/template_file.h"
+#include "glare/io/transform_cache.h"

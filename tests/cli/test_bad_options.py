@@ -1,5 +1,7 @@
 """Command lines that are wrong: status 2 and one line that names the option; memory: status 5."""
 
+import os
+import pathlib
 import re
 
 import images
@@ -25,6 +27,8 @@ class Words(GlareTest):
 
     def test_an_option_twice(self):
         self.assert_template_refused(2, ["--lamp"], "--lamp", "A", "--lamp", "D65")
+        self.assert_template_refused(2, ["--observer"], "--observer", "cie1931-2deg",
+                                     "--observer", "cie1964-10deg")
 
     def test_quiet_and_verbose(self):
         self.assert_template_refused(2, ["--quiet"], "--quiet", "--verbose")
@@ -82,6 +86,23 @@ class Values(GlareTest):
         self.assert_template_refused(5, ["memory"], "--memory-limit", "64MB", "--fov-deg", "60",
                                      "--size", "16", size=(), aperture=())
         self.make("--memory-limit", "1GB")
+
+    def test_a_preview_counts(self):
+        arguments = ("--memory-limit", "16MB", "--size", "700", "--fov-deg", "0.5")
+        self.make(*arguments, size=())
+        self.assert_template_refused(5, ["memory"], *arguments, "--preview", "p.png", size=())
+
+    def test_the_default_is_three_quarters_of_the_machines(self):
+        result = self.assert_template_refused(5, ["memory"], "--size", "65535", "--fov-deg", "2",
+                                              size=())
+        limits = [os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")]
+        for name in ("memory.max", "memory/memory.limit_in_bytes"):
+            file = pathlib.Path("/sys/fs/cgroup", name)
+            if file.exists() and file.read_text().strip().isdigit():
+                limits.append(int(file.read_text()))
+        needed, allowed = (float(n) for n in re.findall(r"([\d.e+]+) MB", result.err))
+        self.assertGreater(needed, allowed)
+        self.assertLessEqual(allowed, min(limits) * 0.75e-6 * 1.001)
 
 
 class Reach(GlareTest):

@@ -9,6 +9,9 @@ step=$1
 source "$2"
 prefix=$work/moved
 libraries=$prefix/$lib_dir
+# The development files of what glare::io stands on aren't there.
+without_files_libraries=(-DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON
+                         -DCMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON)
 
 fail() { printf 'install_test: %s: %s\n' "$step" "$*" >&2; exit 1; }
 
@@ -16,13 +19,15 @@ fail() { printf 'install_test: %s: %s\n' "$step" "$*" >&2; exit 1; }
 installed_files() {
   (cd "$prefix" && find . ! -type d) | sed -e 's|^\./||' -e "/^${doc_dir//\//\\/}\//d" \
     -e "s|^$lib_dir/|@LIB@/|" -e "s|^$include_dir/|@INCLUDE@/|" -e "s|^$bin_dir/|@BIN@/|" \
+    -e "s|^@LIB@/glare-$abi_version/|@LIB@/glare-@ABI@/|" \
     -e "s|\.so\.${version//./\\.}$|.so.@VERSION@|" -e "s|\.so\.${abi_version//./\\.}$|.so.@ABI@|" \
     -e "s|-targets-${build_type,,}\.cmake$|-targets-@TYPE@.cmake|" | sort
 }
 
 expected_files() {
   if [ "$shared" = ON ]; then cat "$source_dir/tests/install/expected_files.txt"
-  else sed -e '/\.so\./d' -e 's/\.so$/.a/' "$source_dir/tests/install/expected_files.txt"
+  else sed -e '/\.so\./d' -e '/glare-@ABI@/d' -e 's/\.so$/.a/' \
+         "$source_dir/tests/install/expected_files.txt"
   fi | sort
 }
 
@@ -85,9 +90,16 @@ case $step in
     rm -f "$out"/*.exr
     env -u LD_LIBRARY_PATH "$prefix/$bin_dir/glare" template --size 64 -o "$out/eye.exr"
     require_template "$out/eye.exr"
+    make_pictures "$out"
+    env -u LD_LIBRARY_PATH "$prefix/$bin_dir/glare" template --size 64 -o "$out/pupil.exr" \
+      --pupil "$out/pupil.pgm" --width-mm 2 --fov-deg 2 --ocio "$source_dir/data/color/glare.ocio" \
+      --colorspace aces_interchange
+    require_template "$out/pupil.exr"
     ;;
   cmake_package)
-    built_with_package examples "$source_dir/examples"
+    options=()
+    [ "$shared" != ON ] || options=("${without_files_libraries[@]}")
+    built_with_package examples "$source_dir/examples" "${options[@]}"
     out=$work/examples
     make_pictures "$out"
     rm -f "$out"/*.exr
@@ -101,7 +113,7 @@ case $step in
     ;;
   core_only)
     built_with_package core_only "$source_dir/tests/install/core_only" \
-      -DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON
+      "${without_files_libraries[@]}"
     "$work/core_only/core_only"
     require_light "$work/core_only/core_only"
     ;;
@@ -128,7 +140,7 @@ case $step in
     "$cmake" --install "$work/static" --config "$build_type" --prefix "$prefix" >/dev/null
     built_with_package static_examples "$source_dir/examples"
     built_with_package static_core_only "$source_dir/tests/install/core_only" \
-      -DCMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON
+      "${without_files_libraries[@]}"
     "$work/static_core_only/core_only"
     require_light "$work/static_core_only/core_only"
     out=$work/static_examples

@@ -13,6 +13,7 @@
 #include "support/apertures.h"
 #include "support/color_difference.h"
 #include "support/exact_template.h"
+#include "support/lamps.h"
 
 namespace glare {
 namespace {
@@ -25,36 +26,12 @@ constexpr double kDarkest = 1e-7;
 
 const char* const kLamps[] = {"A", "HP5", "FL11", "LED-B3", "lines", "laser"};
 
-/// Sampled at 1 nm with lines 1.2 to 8 nm wide (full width at half maximum): harder than any CIE
-/// table.
-Spectrum lamp_with_narrow_lines() {
-  struct Line {
-    double center_nm, width_nm, power;
-  };
-  std::vector<double> wavelengths_nm, power;
-  for (int nm = 380; nm <= 780; ++nm) {
-    double sum = 0.05;
-    for (const Line& line :
-         {Line{404.7, 1.4, 1}, Line{435.8, 1.2, 2}, Line{486, 1.9, 1}, Line{546.1, 1.4, 4},
-          Line{578, 2.8, 2}, Line{611, 2.4, 5}, Line{660, 8, 2}})
-      sum += line.power * std::exp2(-4 * std::pow((nm - line.center_nm) / line.width_nm, 2));
-    wavelengths_nm.push_back(nm);
-    power.push_back(sum);
-  }
-  return Spectrum(wavelengths_nm, power);
-}
-
 /// One line of 0.2 nm in a table as wide as the others: its dark speckles hide no error.
 Spectrum laser() { return Spectrum({380, 632.7, 632.8, 632.9, 780}, {0, 0, 1, 0, 0}); }
 
 Spectrum lamp_of(const std::string& name) {
   if (name == "laser") return laser();
-  return name == "lines" ? lamp_with_narrow_lines() : *find_lamp(name);
-}
-
-exact::SpectralTable table_of(const Spectrum& spectrum) {
-  return {{spectrum.wavelengths_nm().begin(), spectrum.wavelengths_nm().end()},
-          {spectrum.values().begin(), spectrum.values().end()}};
+  return name == "lines" ? test::lamp_with_narrow_lines() : *find_lamp(name);
 }
 
 struct Case {
@@ -119,9 +96,9 @@ TEST_P(Accuracy, AgreesWithTheExactReference) {
   const Case& c = GetParam();
   const Aperture aperture = aperture_of(c);
   const auto& cmf = color_matching_functions("cie1931-2deg");
-  const exact::Observer observer = {table_of(cmf.x_bar), table_of(cmf.y_bar), table_of(cmf.z_bar)};
+  const exact::Observer observer = test::tables_of(cmf);
   std::vector<exact::SpectralTable> lamps;
-  for (const char* name : kLamps) lamps.push_back(table_of(lamp_of(name)));
+  for (const char* name : kLamps) lamps.push_back(test::table_of(lamp_of(name)));
   const std::vector<int> rows = rows_of(c);
   const exact::Request request{c.width, c.height, field_of_view_deg(c), rows, 380, 780, 2, 0};
   const auto expected = exact::xyz(aperture, request, observer, lamps);

@@ -51,7 +51,7 @@ std::vector<EncircledShare> encircled_shares(const GlareTemplate& t) {
 }
 
 Info info_of(const std::string& file) {
-  TemplateFile read = read_template_file(file, {memory_size_bytes() / 4 * 3});
+  TemplateFile read = read_template_file(file, {default_memory_limit_bytes()});
   Info info{file, std::move(read.glare_template), std::move(read.header), {}, {}, 0, {}, {}, {}};
   const GlareTemplate& t = info.glare_template;
   info.field_of_view_deg = {t.width() * t.pixel_pitch_deg(), t.height() * t.pixel_pitch_deg()};

@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "glare/base/error.h"
-#include "glare/io/atomic_file.h"
 #include "glare/io/color_config.h"
 #include "glare/io/memory.h"
 #include "glare/spectrum/observer.h"
@@ -35,38 +34,17 @@ void set_size(const std::string& text, TemplateOptions& options) {
   options.height = static_cast<int>(*height);
 }
 
-/// A file of one kind isn't given the ending of another.
-void require_no_other_ending(const std::string& path, const std::string& ending,
-                             const std::string& option) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  if (extension == ending) return;
-  for (const char* other :
-       {".exr", ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".hdr", ".bmp", ".csv"})
-    if (extension == other)
-      throw OptionError(option + " " + path + ": expected a name that ends in " + ending);
-}
-
 void require_config(const std::string& ocio) {
   std::error_code ignored;
   if (!ocio.empty() && !ocio.starts_with("ocio://") && !std::filesystem::exists(ocio, ignored))
     throw InputError(ocio, "no such OpenColorIO config");
 }
 
-bool same_file(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  std::error_code ignored;
-  return std::filesystem::weakly_canonical(a, ignored) ==
-         std::filesystem::weakly_canonical(b, ignored);
-}
-
-void require_different_files(const TemplateArguments& a) {
-  if (same_file(a.output, a.preview))
-    throw OptionError("--output and --preview name the same file, " + a.output);
-  for (const std::string& output : {a.output, a.preview})
-    for (const std::string& input : {a.pupil, a.eyelashes, a.lamp, a.ocio})
-      if (same_file(output, input)) throw OptionError("the output " + output + " is an input too");
+/// What a preview takes while it is made: its pixels, its samples, and the file in memory.
+std::uint64_t preview_bytes(const TemplateOptions& options) {
+  constexpr std::uint64_t kPixelBytes = 3 * (sizeof(float) + 1 + 1);
+  return kPixelBytes * static_cast<std::uint64_t>(options.width) *
+         static_cast<std::uint64_t>(options.height);
 }
 
 /// For options that name something.
@@ -114,9 +92,12 @@ void add_aperture_options(CLI::App& command, TemplateArguments& a) {
 
 void add_light_options(CLI::App& command, TemplateArguments& a) {
   command
-      .add_option("--lamp", a.lamp,
-                  "Name (see glare lamps), blackbody:KELVIN, or CSV file of wavelength_nm,power")
-      ->capture_default_str();
+      .add_option("--lamp", a.lamps,
+                  "Name (see glare lamps), blackbody:KELVIN, or CSV file of wavelength_nm,power; "
+                  "may be given several times, for a template of each")
+      ->allow_extra_args(false)
+      ->type_name("TEXT")
+      ->default_str(a.lamps.front());
   command.add_option("--observer", a.observer, "CIE standard observer")
       ->check(CLI::IsMember(observer_names()))
       ->capture_default_str();
@@ -150,10 +131,14 @@ void add_picture_options(CLI::App& command, TemplateArguments& a) {
 }
 
 void add_output_options(CLI::App& command, TemplateArguments& a) {
-  command.add_option("-o,--output", a.output, "OpenEXR file to write")
+  command
+      .add_option("-o,--output", a.output,
+                  "OpenEXR file to write; {lamp} in it stands for the lamp's name (a CSV file's "
+                  "without folder and ending), and several lamps need it")
       ->required()
       ->check(not_empty());
-  command.add_option("--preview", a.preview, "Tone-mapped PNG to write too")->check(not_empty());
+  command.add_option("--preview", a.preview, "Tone-mapped PNG to write too; {lamp} as in --output")
+      ->check(not_empty());
   command.add_flag("--half", a.half, "16-bit instead of 32-bit floating point");
   command.add_option("--threads", a.threads, "0: as many as the machine has")
       ->check(CLI::Range(0, 1024))
@@ -177,11 +162,6 @@ void add_template_options(CLI::App& command, TemplateArguments& arguments) {
 }
 
 void require_consistent(const TemplateArguments& arguments) {
-  require_different_files(arguments);
-  require_writable(arguments.output);
-  if (!arguments.preview.empty()) require_writable(arguments.preview);
-  require_no_other_ending(arguments.output, ".exr", "--output");
-  if (!arguments.preview.empty()) require_no_other_ending(arguments.preview, ".png", "--preview");
   if (arguments.has_images() && !arguments.width_mm)
     throw OptionError("--width-mm is missing: the physical width of the aperture images");
   if (!arguments.has_images() && arguments.width_mm)
@@ -202,7 +182,8 @@ TemplateOptions template_options(const TemplateArguments& arguments) {
   options.normalization = normalization_from(arguments.normalize);
   options.threads = arguments.threads;
   options.memory_limit_bytes = arguments.memory_limit_bytes != 0 ? arguments.memory_limit_bytes
-                                                                 : memory_size_bytes() / 4 * 3;
+                                                                 : default_memory_limit_bytes();
+  if (!arguments.preview.empty()) options.further_bytes = preview_bytes(options);
   return options;
 }
 

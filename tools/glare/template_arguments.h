@@ -24,7 +24,7 @@ struct TemplateArguments {
   std::optional<double> width_mm;
   double pupil_diameter_mm = EyeParameters{}.pupil_diameter_mm;
   std::uint64_t seed = EyeParameters{}.seed;
-  std::string lamp = "D65";
+  std::vector<std::string> lamps = {"D65"};
   std::string observer = TemplateOptions{}.observer;
   std::vector<double> wavelength_range_nm = {TemplateOptions{}.wavelength_range_nm.lo_nm,
                                              TemplateOptions{}.wavelength_range_nm.hi_nm};
@@ -47,8 +47,7 @@ struct TemplateArguments {
 /// Adds the options to the subcommand; `arguments` are set when it is parsed, and outlive it.
 void add_template_options(CLI::App& command, TemplateArguments& arguments);
 
-/// Throws `OptionError` where options contradict one another, and `OutputError` where an output
-/// can't be written.
+/// Throws `OptionError` where options contradict one another.
 void require_consistent(const TemplateArguments& arguments);
 
 /// The library's options, but for the progress. Throws `OptionError` for a value that means

@@ -1,10 +1,12 @@
-// glare template: from an aperture and a lamp to a glare template in a file.
+// glare template: from an aperture and lamps to a glare template in a file for each lamp.
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "console.h"
@@ -12,30 +14,22 @@
 #include "glare/glare_io.h"
 #include "interruption.h"
 #include "template_arguments.h"
+#include "template_notes.h"
+#include "template_optics.h"
+#include "template_outputs.h"
 #include "template_recipe.h"
 
 namespace glare::tool {
 
 namespace {
 
-/// The share of the work, as the progress bar counts it, that goes before the template's own.
-constexpr double kShareOfAperture = 0.05;
-
-Aperture aperture_of(const TemplateArguments& arguments, const TemplateOptions& options,
-                     const WavelengthRange& range, const Console& console) {
-  if (!arguments.has_images()) {
-    EyeParameters eye;
-    eye.pupil_diameter_mm = arguments.pupil_diameter_mm;
-    eye.seed = arguments.seed;
-    TemplateOptions part = options;
-    part.progress = progress_part(options.progress, 0, kShareOfAperture);
-    return draw_template_eye(eye, part, range);
-  }
-  ApertureRead read = read_aperture(
-      {arguments.pupil, arguments.eyelashes, *arguments.width_mm, options.memory_limit_bytes});
-  for (const std::string& warning : read.warnings) console.warn(warning);
-  return std::move(read.aperture);
-}
+/// A template to be made.
+struct Task {
+  NamedLamp lamp;
+  TemplateOutput output;
+  WavelengthRange range;  ///< Integrated over.
+  std::string recipe;
+};
 
 /// The wavelengths integrated over; an error names the lamp as it was given.
 WavelengthRange range_of(const NamedLamp& lamp, const TemplateOptions& options) {
@@ -46,79 +40,98 @@ WavelengthRange range_of(const NamedLamp& lamp, const TemplateOptions& options) 
   }
 }
 
-void warn_of_missed_light(const NamedLamp& lamp, const TemplateOptions& options,
-                          const Console& console) {
-  constexpr double kMuch = 0.01;
-  const double missed = share_of_sensitivity_missed(
-      lamp.spectrum, color_matching_functions(options.observer), options.wavelength_range_nm);
-  if (missed <= kMuch) return;
-  const WavelengthRange covered = lamp.spectrum.range();
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "%g to %g nm, misses %.1f %% of what the observer sees (by luminous efficiency)",
-                covered.lo_nm, covered.hi_nm, 100 * missed);
-  console.warn("lamp " + lamp.name + ": its table, " + text);
+/// The lamps with their outputs; whatever is wrong with one of them is told before any work.
+std::vector<Task> tasks_of(const TemplateArguments& arguments) {
+  const std::vector<TemplateOutput> outputs = template_outputs(arguments);
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+    tasks.push_back({lamp_from(arguments.lamps[i]), outputs[i], {}, {}});
+  return tasks;
 }
 
-/// Half precision has full digits down to 6.1e-5; a template's outskirts are often darker.
-void warn_of_lost_digits(const GlareTemplate& glare_template, const Console& console) {
-  constexpr double kSmallestNormal = 6.1e-5;
-  std::size_t dark = 0;
-  const int width = glare_template.width(), height = glare_template.height();
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) dark += glare_template.luminance(x, y) < kSmallestNormal;
-  const double share = static_cast<double>(dark) / (static_cast<double>(width) * height);
-  if (share < 0.01) return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "--half: %.0f %% of the pixels are darker than 6.1e-5, where half precision loses "
-                "digits and then the light itself",
-                100 * share);
-  console.warn(text);
+/// Puts lamps that can share a far field side by side, the widest range first.
+void sort_by_range(std::vector<Task>& tasks) {
+  std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
+    return std::pair(a.range.lo_nm, -a.range.hi_nm) < std::pair(b.range.lo_nm, -b.range.hi_nm);
+  });
 }
 
-void write_preview(const std::string& path, const GlareTemplate& glare_template) {
-  write_file_atomically(path, encode_png_rgb8(preview(glare_template)),
-                        [] { return !interrupted(); });
+/// Hands out the progress bar in equal steps: one for each lamp, and one for each far field.
+class Steps {
+ public:
+  Steps(const std::vector<Task>& tasks, ProgressCallback whole)
+      : count_(static_cast<double>(tasks.size())), whole_(std::move(whole)) {
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+      if (i == 0 || !(tasks[i].range == tasks[i - 1].range)) ++count_;
+  }
+  ProgressCallback next() {
+    const double from = done_++ / count_;
+    return progress_part(whole_, from, done_ / count_);
+  }
+
+ private:
+  double count_, done_ = 0;
+  ProgressCallback whole_;
+};
+
+void write_outputs(const Task& task, GlareTemplate& glare_template,
+                   const TemplateArguments& arguments, const Console& console) {
+  const auto keep_going = [] { return !interrupted(); };
+  glare_template.recipe = task.recipe;
+  if (arguments.half) warn_of_lost_digits(task.output.file, glare_template, console);
+  write_template(task.output.file, glare_template, {arguments.half, arguments.threads, keep_going});
+  if (!task.output.preview.empty())
+    write_file_atomically(task.output.preview, encode_png_rgb8(preview(glare_template)),
+                          keep_going);
 }
 
-void tell_what_was_made(const GlareTemplate& t, const Aperture& aperture, const Console& console) {
-  char text[240];
-  std::snprintf(text, sizeof text,
-                "aperture %d x %d samples of %.4g um, template %d x %d pixels of %.4g degrees, "
-                "%.4g %% of the light, 1 is %.6g per steradian",
-                aperture.transmittance.width(), aperture.transmittance.height(),
-                aperture.pixel_mm() * 1e3, t.width(), t.height(), t.pixel_pitch_deg(),
-                100 * t.captured_energy, t.per_steradian);
-  console.tell(text);
+/// Makes the templates one after the other.
+void make_templates(const std::vector<Task>& tasks, const TemplateArguments& arguments,
+                    TemplateOptions options, TemplateOptics& optics, const Console& console) {
+  Steps steps(tasks, console.progress("glare template"));
+  for (auto task = tasks.begin(); task != tasks.end(); ++task) {
+    const bool range_is_new = task == tasks.begin() || !(task->range == std::prev(task)->range);
+    const ProgressCallback progress =
+        range_is_new ? steps.next() : [](double) { return !interrupted(); };
+    if (!optics.serves(task->range)) optics.make_far_field(task->range, progress);
+    const auto is_served = [&](const Task& other) { return optics.serves(other.range); };
+    const auto next_far_field = std::find_if_not(task, tasks.end(), is_served);
+    if (next_far_field == tasks.end()) optics.release_aperture();
+
+    options.progress = steps.next();
+    GlareTemplate made =
+        make_template(optics.far_field(), task->lamp.spectrum, options, task->lamp.name);
+    if (std::next(task) == next_far_field) optics.release_far_field();
+    write_outputs(*task, made, arguments, console);
+    tell_what_was_made(task->output.file, made, optics.aperture_size(), console);
+  }
 }
 
 void run_template(const TemplateArguments& arguments) {
   const Console console(arguments.verbosity());
   require_consistent(arguments);
-  const NamedLamp lamp = lamp_from(arguments.lamp);
-  TemplateOptions options = template_options(arguments);
-  options.progress = console.progress("glare template");
-  const WavelengthRange range = range_of(lamp, options);
-  warn_of_missed_light(lamp, options, console);
+  std::vector<Task> tasks = tasks_of(arguments);
+  const TemplateOptions options = template_options(arguments);
+  for (Task& task : tasks) {
+    task.range = range_of(task.lamp, options);
+    warn_of_missed_light(task.lamp, options, console);
+  }
+  sort_by_range(tasks);
 
-  const Aperture aperture = aperture_of(arguments, options, range, console);
-  options.progress = progress_part(options.progress, kShareOfAperture, 1);
-  const std::string recipe_text = recipe(arguments, lamp);
-  GlareTemplate glare_template = make_template(aperture, lamp.spectrum, options, lamp.name);
-  glare_template.recipe = recipe_text;
-  if (arguments.half) warn_of_lost_digits(glare_template, console);
-  write_template(arguments.output, glare_template,
-                 {arguments.half, arguments.threads, [] { return !interrupted(); }});
-  if (!arguments.preview.empty()) write_preview(arguments.preview, glare_template);
-  tell_what_was_made(glare_template, aperture, console);
+  TemplateOptics optics(arguments, options, console);
+  for (const Task& task : tasks) optics.require_possible(task.range);
+  RecipeWriter recipes(arguments);
+  for (Task& task : tasks) task.recipe = recipes.recipe(task.lamp);
+  make_templates(tasks, arguments, options, optics, console);
 }
 
 }  // namespace
 
 Command add_template_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
-      "template", "Make a glare template, from aperture images or, without, from the built-in eye");
+      "template",
+      "Make a glare template for each lamp, from aperture images or, without, from the built-in "
+      "eye");
   const auto arguments = std::make_shared<TemplateArguments>();
   add_template_options(command, *arguments);
   return [arguments] { run_template(*arguments); };

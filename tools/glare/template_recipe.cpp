@@ -69,19 +69,25 @@ std::vector<RecipeOption> recipe_options(const TemplateArguments& a, const Named
 
 }  // namespace
 
-std::string recipe(const TemplateArguments& arguments, const NamedLamp& lamp) {
+std::string RecipeWriter::recipe(const NamedLamp& lamp) {
   nlohmann::ordered_json command = {"glare", "template"};
   nlohmann::ordered_json inputs = nlohmann::ordered_json::array();
-  for (const RecipeOption& option : recipe_options(arguments, lamp)) {
+  for (const RecipeOption& option : recipe_options(arguments_, lamp)) {
     command.push_back(option.name);
     for (const std::string& value : option.values) command.push_back(value);
     if (!option.file.empty())
       inputs.push_back({{"option", option.name},
                         {"file", option.file.filename().string()},
-                        {"sha256", sha256_of_file(option.file)}});
+                        {"sha256", fingerprint_of(option.file)}});
   }
   const nlohmann::ordered_json whole = {{"command", command}, {"inputs", inputs}};
   return whole.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+const std::string& RecipeWriter::fingerprint_of(const std::filesystem::path& file) {
+  std::string& fingerprint = fingerprints_[file];
+  if (fingerprint.empty()) fingerprint = sha256_of_file(file);
+  return fingerprint;
 }
 
 }  // namespace glare::tool

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "glare/base/aligned_memory.h"
+
 namespace glare {
 
 template <typename T>
@@ -18,6 +20,15 @@ class Image {
         height_(height),
         values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
     assert(width >= 0 && height >= 0);
+  }
+
+  /// One whose values are not set to anything, for those who set them all.
+  static Image uninitialized(int width, int height) {
+    Image image;
+    image.width_ = width;
+    image.height_ = height;
+    image.values_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    return image;
   }
 
   int width() const { return width_; }
@@ -45,7 +56,7 @@ class Image {
 
   int width_ = 0;
   int height_ = 0;
-  std::vector<T> values_;
+  std::vector<T, AlignedAllocator<T>> values_;
 };
 
 }  // namespace glare

@@ -1,6 +1,7 @@
 // Fraunhofer diffraction: the far field of an aperture, one for every wavelength.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "glare/aperture/aperture.h"
@@ -46,7 +47,7 @@ struct FarField {
 };
 
 /// Samples that are held beyond the largest frequencies asked for, for interpolation.
-inline constexpr int kFarFieldMargin = 8;
+inline constexpr int kFarFieldMargin = 32;
 
 /// The far field of an aperture. Where it stands in the picture makes no difference. Frequencies
 /// beyond 1 / (2 pixel) repeat those within it, since the aperture is sampled. Throws `InputError`
@@ -57,5 +58,10 @@ FarField far_field(const Aperture& aperture, const FarFieldRequest& request);
 /// `height` samples.
 std::uint64_t far_field_bytes(int width, int height, double pixel_mm,
                               const FarFieldRequest& request);
+
+/// The lengths of the transforms that `far_field` then does, along the rows and the columns: what
+/// `measure_transforms` takes.
+std::array<int, 2> far_field_transform_lengths(int width, int height, double pixel_mm,
+                                               const FarFieldRequest& request);
 
 }  // namespace glare

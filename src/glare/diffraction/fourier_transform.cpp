@@ -2,54 +2,54 @@
 
 #include <fftw3.h>
 
+#include <cassert>
+#include <cstdint>
+#include <cstdlib>
 #include <mutex>
 #include <new>
+
+#include "glare/base/aligned_buffer.h"
+#include "glare/diffraction/transform_plans.h"
 
 namespace glare {
 
 namespace {
 
-fftwf_complex* fftw_pointer(std::complex<float>* values) {
-  return reinterpret_cast<fftwf_complex*>(values);  // The layouts agree, as FFTW's manual says.
+fftwf_complex* fftw_pointer(std::span<std::complex<float>> values) {
+  assert(reinterpret_cast<std::uintptr_t>(values.data()) % FourierTransform::kAlignment == 0);
+  return reinterpret_cast<fftwf_complex*>(values.data());  // FFTW's manual: the layouts agree.
 }
 
-/// FFTW's planner may run in one thread at a time only.
+/// FFTW's planner, and what it knows, may be used by one thread at a time only.
 std::mutex& planner_mutex() {
   static std::mutex mutex;
   return mutex;
 }
 
+/// FFTW takes what it has learnt by timing for a plan by estimate too.
+fftwf_plan planned(FourierTransform::Kind kind, int length, unsigned effort) {
+  const auto count = static_cast<std::size_t>(length);
+  AlignedBuffer<std::complex<float>> input(count), output(count);
+  fftwf_complex* const in = fftw_pointer(input.values());
+  fftwf_complex* const out = fftw_pointer(output.values());
+  const unsigned flags = effort | FFTW_DESTROY_INPUT;
+  const fftwf_plan plan =
+      kind == FourierTransform::Kind::real_to_complex
+          ? fftwf_plan_dft_r2c_1d(length, reinterpret_cast<float*>(in), out, flags)
+          : fftwf_plan_dft_1d(length, in, out, FFTW_FORWARD, flags);
+  if (!plan) throw std::bad_alloc();
+  return plan;
+}
+
 }  // namespace
-
-template <typename T>
-TransformBuffer<T>::TransformBuffer(std::size_t count)
-    : data_(static_cast<T*>(fftwf_malloc(count * sizeof(T)))), count_(count) {
-  if (!data_) throw std::bad_alloc();
-}
-
-template <typename T>
-void TransformBuffer<T>::Release::operator()(T* data) const {
-  fftwf_free(data);
-}
-
-template class TransformBuffer<float>;
-template class TransformBuffer<std::complex<float>>;
 
 struct FourierTransform::Plan {
   fftwf_plan plan = nullptr;
 };
 
 FourierTransform::FourierTransform(Kind kind, int length) : plan_(std::make_unique<Plan>()) {
-  const auto count = static_cast<std::size_t>(length);
-  TransformBuffer<std::complex<float>> complex_values(count);
-  TransformBuffer<float> real_values(count);
-  fftwf_complex* const values = fftw_pointer(complex_values.values().data());
   const std::scoped_lock lock(planner_mutex());
-  plan_->plan = kind == Kind::real_to_complex
-                    ? fftwf_plan_dft_r2c_1d(length, real_values.values().data(), values,
-                                            FFTW_ESTIMATE | FFTW_DESTROY_INPUT)
-                    : fftwf_plan_dft_1d(length, values, values, FFTW_FORWARD, FFTW_ESTIMATE);
-  if (!plan_->plan) throw std::bad_alloc();
+  plan_->plan = planned(kind, length, FFTW_ESTIMATE);
 }
 
 FourierTransform::~FourierTransform() {
@@ -57,14 +57,14 @@ FourierTransform::~FourierTransform() {
   fftwf_destroy_plan(plan_->plan);
 }
 
-void FourierTransform::execute(TransformBuffer<float>& input,
-                               TransformBuffer<std::complex<float>>& output) const {
-  fftwf_execute_dft_r2c(plan_->plan, input.values().data(), fftw_pointer(output.values().data()));
+void FourierTransform::execute(AlignedBuffer<float>& input,
+                               AlignedBuffer<std::complex<float>>& output) const {
+  fftwf_execute_dft_r2c(plan_->plan, input.values().data(), fftw_pointer(output.values()));
 }
 
-void FourierTransform::execute(TransformBuffer<std::complex<float>>& values) const {
-  fftwf_complex* const in_place = fftw_pointer(values.values().data());
-  fftwf_execute_dft(plan_->plan, in_place, in_place);
+void FourierTransform::execute(std::span<std::complex<float>> input,
+                               std::span<std::complex<float>> output) const {
+  fftwf_execute_dft(plan_->plan, fftw_pointer(input), fftw_pointer(output));
 }
 
 int fast_transform_length(int minimum) {
@@ -75,5 +75,32 @@ int fast_transform_length(int minimum) {
     if (rest == 1) return length;
   }
 }
+
+void measure_transforms(std::span<const int> lengths) {
+  for (const int length : lengths) {
+    const std::scoped_lock lock(planner_mutex());  // Others may plan between two lengths.
+    fftwf_destroy_plan(planned(FourierTransform::Kind::complex_to_complex, length, FFTW_MEASURE));
+  }
+}
+
+std::string transform_plans_text() {
+  const std::scoped_lock lock(planner_mutex());
+  const std::unique_ptr<char, decltype(&std::free)> text(fftwf_export_wisdom_to_string(),
+                                                         &std::free);
+  if (!text) throw std::bad_alloc();
+  return text.get();
+}
+
+bool adopt_transform_plans(const std::string& text) {
+  const std::scoped_lock lock(planner_mutex());
+  return fftwf_import_wisdom_from_string(text.c_str()) != 0;
+}
+
+void forget_transform_plans() {
+  const std::scoped_lock lock(planner_mutex());
+  fftwf_forget_wisdom();
+}
+
+std::string transform_library() { return fftwf_version; }
 
 }  // namespace glare

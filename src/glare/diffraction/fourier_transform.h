@@ -5,34 +5,23 @@
 #pragma once
 
 #include <complex>
-#include <cstddef>
 #include <memory>
 #include <span>
 
+#include "glare/base/aligned_buffer.h"
+
 namespace glare {
 
-/// Memory aligned as the transforms want it.
-template <typename T>
-class TransformBuffer {
- public:
-  explicit TransformBuffer(std::size_t count);
-  std::span<T> values() { return {data_.get(), count_}; }
-
- private:
-  struct Release {
-    void operator()(T* data) const;
-  };
-  std::unique_ptr<T[], Release> data_;
-  std::size_t count_;
-};
-
 /// A plan for transforms of one length, X[k] = sum over n of x[n] exp(-2 pi i k n / length), not
-/// normalised. Planned without timing, so that a plan, and so every bit of a result, depends on the
-/// length and the machine alone. Execution may go on in several threads at once, each with buffers
-/// of its own.
+/// normalised. Planned without timing, unless `measure_transforms` has been called, so that a plan,
+/// and so every bit of a result, depends on the length and the machine alone. Execution may go on
+/// in several threads at once.
 class FourierTransform {
  public:
   enum class Kind { real_to_complex, complex_to_complex };
+
+  /// Each start of an input or output lies at a multiple of so many bytes.
+  static constexpr int kAlignment = 64;
 
   FourierTransform(Kind kind, int length);
   ~FourierTransform();
@@ -40,10 +29,10 @@ class FourierTransform {
   FourierTransform& operator=(const FourierTransform&) = delete;
 
   /// `input` holds `length` values, `output` length / 2 + 1; the input is destroyed.
-  void execute(TransformBuffer<float>& input, TransformBuffer<std::complex<float>>& output) const;
+  void execute(AlignedBuffer<float>& input, AlignedBuffer<std::complex<float>>& output) const;
 
-  /// In place, `length` values.
-  void execute(TransformBuffer<std::complex<float>>& values) const;
+  /// Both hold `length` values and don't overlap; the input is destroyed.
+  void execute(std::span<std::complex<float>> input, std::span<std::complex<float>> output) const;
 
  private:
   struct Plan;

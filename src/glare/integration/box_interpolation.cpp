@@ -1,34 +1,8 @@
 #include "glare/integration/box_interpolation.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace glare {
-
-namespace {
-
-double value_at(const WindowedSinc& kernel, double s) {
-  const double u = s / (kernel.taps / 2);
-  if (std::abs(u) >= 1) return 0;
-  const double x = std::numbers::pi * s;
-  const double sinc = std::abs(x) < 1e-12 ? 1 : std::sin(x) / x;
-  return sinc * std::cyl_bessel_i(0.0, kernel.kaiser_beta * std::sqrt(1 - u * u)) /
-         std::cyl_bessel_i(0.0, kernel.kaiser_beta);
-}
-
-/// Weights of the samples around a place `fraction` after a sample, which is the one of index
-/// taps / 2 - 1; their sum is 1.
-std::array<double, WindowedSinc::kMostTaps> interpolation_weights(const WindowedSinc& kernel,
-                                                                  double fraction) {
-  std::array<double, WindowedSinc::kMostTaps> weights{};
-  double sum = 0;
-  for (int j = 0; j < kernel.taps; ++j)
-    sum += weights[j] = value_at(kernel, fraction + kernel.taps / 2 - 1 - j);
-  for (double& w : weights) w /= sum;
-  return weights;
-}
-
-}  // namespace
 
 BoxInterpolation::BoxInterpolation(const WindowedSinc& kernel)
     : taps_(kernel.taps), running_(kStepsPerSample + 1) {

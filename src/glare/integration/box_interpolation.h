@@ -1,9 +1,10 @@
 // Means of a sampled, band-limited function over intervals. Internal.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
+
+#include "glare/integration/windowed_sinc.h"
 
 namespace glare {
 
@@ -13,23 +14,6 @@ struct BoxWeights {
   int first = 0;
   std::vector<float> weights;
 };
-
-/// A sinc under Kaiser's window.
-struct WindowedSinc {
-  int taps;            ///< Samples that it takes in; even, at most `kMostTaps`.
-  double kaiser_beta;  ///< The window's shape: more ripples less and passes less.
-
-  static constexpr int kMostTaps = 12;
-};
-
-/// For samples at twice the critical rate or more: errs by at most 4e-5 of a cosine up to five
-/// sixths of the finest detail there is, and by 8e-4 at that, of which a real pattern has next to
-/// nothing (box_interpolation_test).
-inline constexpr WindowedSinc kInterpolatingKernel{12, 10.5};
-
-/// For samples at 1.25 times the critical rate or more and intervals of several samples, which
-/// average: errs only in the detail that the mean takes away.
-inline constexpr WindowedSinc kAveragingKernel{12, 8};
 
 /// Interpolates between samples with a windowed sinc, normalised so that a constant stays exactly
 /// what it is, and integrates the interpolant over intervals by a table of the kernel's running
@@ -42,8 +26,7 @@ class BoxInterpolation {
   void weights_between(std::span<const double> edges, std::vector<BoxWeights>& result) const;
 
  private:
-  /// A value for each tap of the kernel; those beyond its number of taps stay 0.
-  using PerTap = std::array<double, WindowedSinc::kMostTaps>;
+  using PerTap = WindowedSinc::PerTap;
 
   struct Edge {
     int first = 0;  ///< The first sample that has a part of its kernel on either side of the edge.

@@ -40,6 +40,11 @@ XyzImage spectral_integral(const FarField& field, const PixelGrid& grid, const S
                            const ColorMatchingFunctions& observer, const WavelengthRange& range,
                            int threads, const ProgressCallback& progress);
 
+/// The same into pictures of before, whose memory is used again where their size is right.
+void spectral_integral(const FarField& field, const PixelGrid& grid, const Spectrum& lamp,
+                       const ColorMatchingFunctions& observer, const WavelengthRange& range,
+                       int threads, const ProgressCallback& progress, XyzImage& result);
+
 /// The far field that `spectral_integral` needs for these pixels and wavelengths: as far out as the
 /// outer edges of the outermost pixels at the shortest wavelength, and sampled as finely as their
 /// size asks for. `open_side_mm` is the shorter side of the rectangle that holds all of the

@@ -3,29 +3,11 @@
 #include <algorithm>
 #include <cassert>
 
+#include "glare/integration/vector_loops.h"
+
 namespace glare {
 
 namespace {
-
-/// target[c] += sum over r of weights[r] rows[r][c]: the inner loop of everything. Eight rows at a
-/// time, so that the target is read and written an eighth as often; left to the compiler's vectors.
-void add_weighted_rows(std::span<const float> weights, const float* rows, std::size_t row_stride,
-                       std::size_t count, float* __restrict target) {
-  std::size_t r = 0;
-  for (; r + 8 <= weights.size(); r += 8) {
-    const float* const p = rows + r * row_stride;
-    const float* const w = weights.data() + r;
-    for (std::size_t c = 0; c < count; ++c)
-      target[c] += ((w[0] * p[c] + w[1] * p[c + row_stride]) +
-                    (w[2] * p[c + 2 * row_stride] + w[3] * p[c + 3 * row_stride])) +
-                   ((w[4] * p[c + 4 * row_stride] + w[5] * p[c + 5 * row_stride]) +
-                    (w[6] * p[c + 6 * row_stride] + w[7] * p[c + 7 * row_stride]));
-  }
-  for (; r < weights.size(); ++r) {
-    const float* const p = rows + r * row_stride;
-    for (std::size_t c = 0; c < count; ++c) target[c] += weights[r] * p[c];
-  }
-}
 
 /// The edges, in samples of the far field, of the pixels from `begin` to `end` at a wavenumber.
 void set_edges(int begin, int end, double samples_per_pixel, std::vector<double>& edges) {
@@ -69,7 +51,7 @@ void TileIntegrator::add_wavenumber(const Tile& tile, double wavenumber_per_mm,
 void TileIntegrator::reduce_columns() {
   const auto count = static_cast<std::size_t>(ky_count_);
   const auto stride = static_cast<std::size_t>(field_.intensity_mm2.width());
-  reduced_.assign(column_boxes_.size() * count, 0.0f);
+  reduced_.resize(column_boxes_.size() * count);
   assert(first_ky_ >= field_.first_ky &&
          first_ky_ + ky_count_ <= field_.first_ky + field_.intensity_mm2.width());
   for (std::size_t i = 0; i < column_boxes_.size(); ++i) {
@@ -78,7 +60,7 @@ void TileIntegrator::reduce_columns() {
                                                field_.first_kx + field_.intensity_mm2.height());
     const float* const rows = field_.intensity_mm2.row(box.first - field_.first_kx).data() +
                               (first_ky_ - field_.first_ky);
-    add_weighted_rows(box.weights, rows, stride, count, reduced_.data() + i * count);
+    sum_weighted_rows(box.weights, rows, stride, ky_count_, reduced_.data() + i * count);
   }
 }
 
@@ -100,12 +82,9 @@ void TileIntegrator::reduce_rows_and_add(const Tile& tile, const std::array<floa
     const BoxWeights& box = row_boxes_[j];
     const float* const rows =
         transposed_.data() + static_cast<std::size_t>(box.first - first_ky_) * columns;
-    line.fill(0.0f);
-    add_weighted_rows(box.weights, rows, columns, columns, line.data());
-    for (int k = 0; k < 3; ++k) {
-      float* const target = xyz_[k].data() + j * columns;
-      for (std::size_t i = 0; i < columns; ++i) target[i] += weights[k] * line[i];
-    }
+    sum_weighted_rows(box.weights, rows, columns, tile.width(), line.data());
+    for (int k = 0; k < 3; ++k)
+      add_weighted(weights[k], line.data(), tile.width(), xyz_[k].data() + j * columns);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -201,12 +202,14 @@ class TemporaryFile {
     if (!renamed_) ::unlink(path_.c_str());
   }
 
-  void write(std::span<const std::byte> bytes) {
+  void write_at(std::uint64_t position, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
-      const ssize_t count = ::write(descriptor_.get(), bytes.data(), bytes.size());
+      const ssize_t count =
+          ::pwrite(descriptor_.get(), bytes.data(), bytes.size(), static_cast<off_t>(position));
       if (count < 0 && errno == EINTR) continue;
       if (count < 0) fail(place_, error_text(errno));
       if (count == 0) fail(place_, error_text(ENOSPC));
+      position += static_cast<std::uint64_t>(count);
       bytes = bytes.subspan(static_cast<std::size_t>(count));
     }
   }
@@ -280,20 +283,39 @@ std::vector<std::byte> read_file(const fs::path& path, std::uint64_t max_bytes) 
   return content;
 }
 
+struct AtomicFile::Parts {
+  explicit Parts(const fs::path& path)
+      : place(path), target(target_of(place)), temporary(place, target) {}
+
+  fs::path place;
+  Target target;
+  TemporaryFile temporary;
+};
+
+AtomicFile::AtomicFile(const fs::path& path) : parts_(std::make_unique<Parts>(path)) {}
+
+AtomicFile::~AtomicFile() = default;
+
+void AtomicFile::write_at(std::uint64_t position, std::span<const std::byte> bytes) {
+  parts_->temporary.write_at(position, bytes);
+}
+
+void AtomicFile::commit(const std::function<bool()>& keep_going) {
+  parts_->temporary.finish();
+  require_going(keep_going);
+  parts_->temporary.rename_to(parts_->target.path);
+  sync_folder(parts_->target.folder);
+}
+
 void write_file_atomically(const fs::path& path, std::span<const std::byte> content,
                            const std::function<bool()>& keep_going) {
-  const Target target = target_of(path);
-  TemporaryFile temporary(path, target);
-  while (!content.empty()) {
+  AtomicFile file(path);
+  for (std::size_t position = 0; position < content.size(); position += kChunkBytes) {
     require_going(keep_going);
-    const std::size_t count = std::min(content.size(), kChunkBytes);
-    temporary.write(content.first(count));
-    content = content.subspan(count);
+    file.write_at(position,
+                  content.subspan(position, std::min(content.size() - position, kChunkBytes)));
   }
-  temporary.finish();
-  require_going(keep_going);
-  temporary.rename_to(target.path);
-  sync_folder(target.folder);
+  file.commit(keep_going);
 }
 
 void require_writable(const fs::path& path) { target_of(path); }

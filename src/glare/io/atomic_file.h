@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,19 +17,38 @@ namespace glare {
 /// `max_bytes`.
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 
-/// Makes `content` the content of the file at `path`, all or nothing: it is written to a hidden
-/// temporary file in the same folder (`.NAME.glare-...`, which no `*.exr` or `*.png` matches),
-/// brought to the disk, and renamed. Whatever was there before stays as it was until then; its
+/// A file that appears all at once, when it is complete. It is written to a hidden temporary file
+/// in the same folder (`.NAME.glare-...`, which no `*.exr` or `*.png` matches); `commit` brings
+/// that to the disk and renames it. Whatever was at `path` before stays as it was until then; its
 /// permissions are kept. A new file gets those of the umask. A symbolic link stays, and what it
-/// points to is replaced.
+/// points to is replaced. Without a commit the temporary file is removed.
 ///
+/// All throw `OutputError`, whose place is `path`, under the conditions of `require_writable` and
+/// where the disk is full or fails. A process that runs under a limit of the file size must ignore
+/// SIGXFSZ, as the program `glare` does, to see that as such an error: otherwise the signal ends
+/// the process. The library itself changes no signal's handling.
+class AtomicFile {
+ public:
+  explicit AtomicFile(const std::filesystem::path& path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Writes bytes from a position in the file on.
+  void write_at(std::uint64_t position, std::span<const std::byte> bytes);
+
+  /// Puts the file in its place, once. `keep_going`, where not empty, is asked just before the
+  /// renaming; when it says false `Cancelled` is thrown.
+  void commit(const std::function<bool()>& keep_going = {});
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Makes `content` the content of the file at `path`, all or nothing, as an `AtomicFile`.
 /// `keep_going`, where not empty, is asked now and then, the last time just before the renaming;
-/// when it says false the temporary file is removed and `Cancelled` is thrown.
-///
-/// Throws `OutputError`, whose place is `path`, under the conditions of `require_writable` and
-/// where the disk is full or fails; nothing is left behind then. A process that runs under a limit
-/// of the file size must ignore SIGXFSZ, as the program `glare` does, to see that as such an error:
-/// otherwise the signal ends the process. The library itself changes no signal's handling.
+/// when it says false `Cancelled` is thrown.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> content,
                            const std::function<bool()>& keep_going = {});
 

@@ -1,4 +1,4 @@
-// Colour spaces by name, from the config that Glare carries or from a user's OpenColorIO config.
+// Colour spaces by name, built in or from a user's OpenColorIO config.
 #pragma once
 
 #include <filesystem>
@@ -31,6 +31,7 @@ std::vector<std::string> built_in_color_space_names();
 /// config says of it, because values of 1e-6 to 1e4 of both signs aren't turned into its own by one
 /// matrix, or because its white hasn't luminance 1. Throws `InputError`, with the config as the
 /// place, when the config or a file it names can't be read, or it has neither of the two roles.
+/// Throws `Error` when a config is needed and the module glare_color_config can't be loaded.
 RgbColorSpace find_color_space(const std::string& name,
                                const std::filesystem::path& user_config = {});
 

@@ -36,7 +36,8 @@ struct TransmittanceImage {
 /// can't be read, is none of these formats, uses a part of one that Glare does not read (CMYK,
 /// JPEG or fax compression in TIFF, deep or subsampled OpenEXR, ...), is damaged or cut short, has
 /// a side above 65535 pixels, or has a value that is not finite, negative, or above 1.001. Throws
-/// `MemoryError`, before it allocates, where reading would take more than `max_bytes` of memory.
+/// `MemoryError`, before it allocates, where reading would take more than `max_bytes` of memory,
+/// and `Error` where the module glare_image_codec can't be loaded; so do the two functions below.
 TransmittanceImage read_transmittance(const std::filesystem::path& path, std::uint64_t max_bytes);
 
 /// An 8-bit RGB PNG file, tagged sRGB, of a picture that is already encoded for a display: each

@@ -16,6 +16,7 @@
 #include "glare/io/atomic_file.h"
 #include "glare/io/image/image_header.h"
 #include "glare/io/openexr/attribute_text.h"
+#include "glare/io/openexr/file_output.h"
 #include "glare/io/openexr/memory_stream.h"
 #include "glare/io/openexr/scan_lines.h"
 #include "glare/io/openexr/template_header.h"
@@ -25,7 +26,6 @@ namespace glare {
 namespace {
 
 constexpr std::uint64_t kLargestFile_bytes = 64ull << 30;
-constexpr std::size_t kHeaderEstimate_bytes = std::size_t{1} << 16;
 constexpr int kBandRows = 256;  // Whole blocks of ZIP, 16 rows each.
 
 /// A slice whose first pixel is the first of `pixels`.
@@ -93,23 +93,15 @@ class PixelWriter {
   std::array<Image<Imath::half>, 3> halves_;
 };
 
-std::vector<std::byte> encoded(const GlareTemplate& t, const TemplateFileOptions& options) {
-  if (options.half) require_fits_half(t);
-  const std::size_t pixel_bytes = 3 * (options.half ? sizeof(Imath::half) : sizeof(float));
+void encode(const GlareTemplate& t, const TemplateFileOptions& options, Imf::OStream& output) {
   const openexr_io::CompressionThreads threads(options.threads);
-  // Blocks that compression would make larger are stored as they are.
-  openexr_io::MemoryOutput output(t.channels[0].values().size() * pixel_bytes +
-                                  kHeaderEstimate_bytes + t.recipe.size());
-  {
-    Imf::OutputFile file(output, openexr_io::header_of(t, options.half ? Imf::HALF : Imf::FLOAT),
-                         threads.count());
-    PixelWriter pixels(file, t, options.half);
-    for (int row = 0; row < t.height(); row += kBandRows) {
-      if (options.keep_going && !options.keep_going()) throw Cancelled();
-      pixels.write(row, std::min(kBandRows, t.height() - row));
-    }
+  Imf::OutputFile file(output, openexr_io::header_of(t, options.half ? Imf::HALF : Imf::FLOAT),
+                       threads.count());
+  PixelWriter pixels(file, t, options.half);
+  for (int row = 0; row < t.height(); row += kBandRows) {
+    if (options.keep_going && !options.keep_going()) throw Cancelled();
+    pixels.write(row, std::min(kBandRows, t.height() - row));
   }
-  return output.take_bytes();
 }
 
 // Reading.
@@ -176,9 +168,12 @@ std::vector<HeaderAttribute> header_in(const Imf::InputFile& file) {
 
 void write_template(const std::filesystem::path& path, const GlareTemplate& glare_template,
                     const TemplateFileOptions& options) {
-  std::vector<std::byte> bytes;
+  if (options.half) require_fits_half(glare_template);
+  AtomicFile file(path);
   try {
-    bytes = encoded(glare_template, options);
+    openexr_io::FileOutput output(file);
+    encode(glare_template, options, output);
+    output.finish();
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -186,7 +181,7 @@ void write_template(const std::filesystem::path& path, const GlareTemplate& glar
   } catch (const std::exception& error) {
     throw OutputError(path.string(), std::string("can't be encoded: ") + error.what());
   }
-  write_file_atomically(path, bytes, options.keep_going);
+  file.commit(options.keep_going);
 }
 
 GlareTemplate read_template(const std::filesystem::path& path, const ReadTemplateOptions& options) {

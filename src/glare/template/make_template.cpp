@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <thread>
 
 #include "glare/aperture/open_part.h"
 #include "glare/base/error.h"
@@ -55,6 +56,28 @@ Matrix3 rgb_from_observed_xyz(const TemplateOptions& options, const Xyz& lamp_xy
 template <typename T>
 std::uint64_t bytes_of(int width, int height) {
   return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * sizeof(T);
+}
+
+/// What OpenEXR takes to write rows of that width: twice as many blocks of 16 rows as there are
+/// threads, each three times, and 256 rows in half precision.
+std::uint64_t writing_bytes(int width, int threads) {
+  const int most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int used = threads > 0 ? std::min(threads, most) : most;
+  constexpr int kChannels = 3, kHalfBytes = 2, kRowsInHalf = 256, kBlockRows = 16;
+  return kChannels * (bytes_of<float>(width, 2 * 3 * kBlockRows * used) +
+                      kHalfBytes * bytes_of<std::byte>(width, kRowsInHalf));
+}
+
+/// The part of an aperture's picture that lets light through.
+ApertureSize open_size(const Aperture& aperture) {
+  const OpenPart part = open_part(aperture);
+  return {part.width, part.height, aperture.pixel_mm()};
+}
+
+FarFieldRequest far_field_request(const ApertureSize& open, const TemplateOptions& options,
+                                  const WavelengthRange& range) {
+  return far_field_request(std::min(open.width, open.height) * open.pixel_mm, pixel_grid(options),
+                           range);
 }
 
 double sum_of(const Image<float>& image) {
@@ -118,6 +141,16 @@ WavelengthRange effective_range(const Spectrum& lamp, const TemplateOptions& opt
   return range;
 }
 
+WavelengthRange effective_range(std::span<const Spectrum> lamps, const TemplateOptions& options) {
+  if (lamps.empty()) throw InputError("lamps", "there are none");
+  WavelengthRange range = effective_range(lamps.front(), options);
+  for (const Spectrum& lamp : lamps.subspan(1)) {
+    const WavelengthRange own = effective_range(lamp, options);
+    range = {std::min(range.lo_nm, own.lo_nm), std::max(range.hi_nm, own.hi_nm)};
+  }
+  return range;
+}
+
 PixelGrid pixel_grid(const TemplateOptions& options) {
   constexpr int kLargest = 65535;
   if (options.width < 1 || options.height < 1 || options.width > kLargest ||
@@ -138,22 +171,32 @@ double widest_field_of_view_deg(double pixel_mm, double shortest_nm, const Pixel
   return reach_rad / kRadPerDeg * grid.width / std::max(grid.width, grid.height);
 }
 
+void require_far_field_possible(const Aperture& aperture, const TemplateOptions& options,
+                                const WavelengthRange& range) {
+  require_valid(aperture);
+  require_within_reach(aperture.pixel_mm(), aperture.width_mm, pixel_grid(options),
+                       options.field_of_view_deg, range.lo_nm);
+  require_memory(open_size(aperture), options, range);
+}
+
 FarField template_far_field(const Aperture& aperture, const TemplateOptions& options,
                             const WavelengthRange& range) {
-  require_valid(aperture);
-  const PixelGrid grid = pixel_grid(options);
-  require_within_reach(aperture.pixel_mm(), aperture.width_mm, grid, options.field_of_view_deg,
-                       range.lo_nm);
-  const OpenPart part = open_part(aperture);
-  const std::uint64_t needed_bytes =
-      template_bytes({part.width, part.height, aperture.pixel_mm()}, options, range);
-  if (options.memory_limit_bytes != 0 && needed_bytes > options.memory_limit_bytes)
-    throw MemoryError(needed_bytes, options.memory_limit_bytes);
-  const double open_side_mm = std::min(part.width, part.height) * aperture.pixel_mm();
-  FarFieldRequest request = far_field_request(open_side_mm, grid, range);
+  require_far_field_possible(aperture, options, range);
+  FarFieldRequest request = far_field_request(open_size(aperture), options, range);
   request.threads = options.threads;
   request.progress = options.progress;
   return far_field(aperture, request);
+}
+
+bool same_far_field(const FarField& field, const TemplateOptions& options,
+                    const WavelengthRange& made_for, const WavelengthRange& range) {
+  const PixelGrid grid = pixel_grid(options);
+  const double open_side_mm = std::min(field.extent_x_mm, field.extent_y_mm);
+  const FarFieldRequest a = far_field_request(open_side_mm, grid, made_for);
+  const FarFieldRequest b = far_field_request(open_side_mm, grid, range);
+  return a.max_frequency_x_per_mm == b.max_frequency_x_per_mm &&
+         a.max_frequency_y_per_mm == b.max_frequency_y_per_mm &&
+         a.overlap_frequency_x_per_mm == b.overlap_frequency_x_per_mm && a.padding == b.padding;
 }
 
 GlareTemplate make_template(const FarField& field, const Spectrum& lamp,
@@ -195,13 +238,19 @@ GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
 std::uint64_t template_bytes(const ApertureSize& aperture, const TemplateOptions& options,
                              const WavelengthRange& range) {
   const PixelGrid grid = pixel_grid(options);
-  const double side_mm = std::min(aperture.width, aperture.height) * aperture.pixel_mm;
-  constexpr std::uint64_t kChannels = 3 * sizeof(float);
-  constexpr std::uint64_t kFile = 2 * kChannels;  // A buffer that grows by doubling.
+  constexpr int kChannels = 3;
   return bytes_of<float>(aperture.width, aperture.height) +
          far_field_bytes(aperture.width, aperture.height, aperture.pixel_mm,
-                         far_field_request(side_mm, grid, range)) +
-         (kChannels + kFile) * bytes_of<std::byte>(grid.width, grid.height);
+                         far_field_request(aperture, options, range)) +
+         kChannels * bytes_of<float>(grid.width, grid.height) +
+         writing_bytes(grid.width, options.threads) + options.further_bytes;
+}
+
+void require_memory(const ApertureSize& aperture, const TemplateOptions& options,
+                    const WavelengthRange& range) {
+  const std::uint64_t needed_bytes = template_bytes(aperture, options, range);
+  if (options.memory_limit_bytes != 0 && needed_bytes > options.memory_limit_bytes)
+    throw MemoryError(needed_bytes, options.memory_limit_bytes);
 }
 
 }  // namespace glare

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "glare/aperture/aperture.h"
@@ -38,6 +39,7 @@ struct TemplateOptions {
   GamutMapping gamut = GamutMapping::keep;
   int threads = 0;                       ///< 0: as many as the machine has.
   std::uint64_t memory_limit_bytes = 0;  ///< 0: no limit.
+  std::uint64_t further_bytes = 0;       ///< What the caller takes beside, within the limit.
   ProgressCallback progress;
 };
 
@@ -45,6 +47,10 @@ struct TemplateOptions {
 /// and the lamp's table covers. Throws `InputError` where there are none or the lamp is dark there,
 /// `OptionError` for an unknown observer or a range that is empty or that the observer doesn't see.
 WavelengthRange effective_range(const Spectrum& lamp, const TemplateOptions& options);
+
+/// The least range that holds every lamp's effective range. Throws as for one lamp; `InputError`
+/// where there is no lamp.
+WavelengthRange effective_range(std::span<const Spectrum> lamps, const TemplateOptions& options);
 
 /// The pixels' directions. Throws `OptionError` for a size or field outside its range.
 PixelGrid pixel_grid(const TemplateOptions& options);
@@ -62,13 +68,31 @@ double widest_field_of_view_deg(double pixel_mm, double shortest_nm, const Pixel
 GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
                             const TemplateOptions& options, const std::string& lamp_name = "");
 
-/// The same in two steps, for several lamps, observers or colour spaces on one aperture: the far
-/// field holds what `options` (size, field of view) and `range` need, and serves every lamp and
-/// observer whose effective range lies within `range`.
+/// The same in two steps, for several lamps, observers, colour spaces, normalisations and so on, on
+/// one aperture: only the first, with its Fourier transform, needs the aperture.
+///
+///   const WavelengthRange range = effective_range(lamps, options);
+///   const FarField field = template_far_field(aperture, options, range);
+///   for (const Spectrum& lamp : lamps) use(make_template(field, lamp, options));
+///
+/// The far field holds what `options` (size, field of view) and `range` need, and serves every lamp
+/// and observer whose effective range lies within `range`; `OptionError` for another. Each template
+/// is the one-step one to the accuracy of the integral, and to the last bit where `same_far_field`
+/// holds for `range` and the lamp's own.
 FarField template_far_field(const Aperture& aperture, const TemplateOptions& options,
                             const WavelengthRange& range);
 GlareTemplate make_template(const FarField& field, const Spectrum& lamp,
                             const TemplateOptions& options, const std::string& lamp_name = "");
+
+/// Throws what `template_far_field` throws before it begins: `InputError` for an aperture that
+/// isn't valid, `OptionError` beyond its reach, `MemoryError`.
+void require_far_field_possible(const Aperture& aperture, const TemplateOptions& options,
+                                const WavelengthRange& range);
+
+/// True where a far field made for the range `made_for` is, to the last bit, the one for `range`:
+/// where both begin together, unless one ends so much later that its patterns need finer samples.
+bool same_far_field(const FarField& field, const TemplateOptions& options,
+                    const WavelengthRange& made_for, const WavelengthRange& range);
 
 /// How large an aperture's picture is.
 struct ApertureSize {
@@ -77,9 +101,14 @@ struct ApertureSize {
   double pixel_mm = 0;
 };
 
-/// Bytes that `make_template` takes at its peak, with the aperture and, in memory, the file that is
-/// then made of the template. An upper bound: it takes less for an aperture with opaque margins.
+/// Bytes that `make_template` takes at its peak, with the aperture, the writing of the template to
+/// a file, and the options' `further_bytes`. An upper bound: it takes less for an aperture with
+/// opaque margins.
 std::uint64_t template_bytes(const ApertureSize& aperture, const TemplateOptions& options,
                              const WavelengthRange& range);
+
+/// Throws `MemoryError` where that is more than the options' limit.
+void require_memory(const ApertureSize& aperture, const TemplateOptions& options,
+                    const WavelengthRange& range);
 
 }  // namespace glare

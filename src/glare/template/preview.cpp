@@ -10,6 +10,7 @@ namespace {
 /// The luminance in the middle of all pixels', of those that have any.
 double median_luminance(const GlareTemplate& t) {
   std::vector<double> luminances;
+  luminances.reserve(t.channels[0].values().size());
   for (int y = 0; y < t.height(); ++y)
     for (int x = 0; x < t.width(); ++x)
       if (const double luminance = t.luminance(x, y); luminance > 0)

@@ -33,8 +33,8 @@ double field_of_half_pixel_rad(double half_pixel_mm, const WavelengthRange& rang
 
 }  // namespace
 
-Aperture draw_template_eye(const EyeParameters& parameters, const TemplateOptions& options,
-                           const WavelengthRange& range) {
+ApertureSize template_eye_size(const EyeParameters& parameters, const TemplateOptions& options,
+                               const WavelengthRange& range) {
   require_valid(parameters);
   const PixelGrid grid = pixel_grid(options);
   const double field_rad = grid.pitch_rad * std::max(grid.width, grid.height);
@@ -43,10 +43,15 @@ Aperture draw_template_eye(const EyeParameters& parameters, const TemplateOption
   if (pixel_mm < finest_mm) throw_too_wide(field_of_half_pixel_rad(finest_mm, range), grid);
 
   const int width = static_cast<int>(std::ceil(eye_picture_width_mm(parameters) / pixel_mm));
-  const auto needed_bytes = template_bytes({width, width, pixel_mm}, options, range);
-  if (options.memory_limit_bytes != 0 && needed_bytes > options.memory_limit_bytes)
-    throw MemoryError(needed_bytes, options.memory_limit_bytes);
-  return draw_eye(parameters, pixel_mm, options.threads, options.progress);
+  const ApertureSize size{width, width, pixel_mm};
+  require_memory(size, options, range);
+  return size;
+}
+
+Aperture draw_template_eye(const EyeParameters& parameters, const TemplateOptions& options,
+                           const WavelengthRange& range) {
+  return draw_eye(parameters, template_eye_size(parameters, options, range).pixel_mm,
+                  options.threads, options.progress);
 }
 
 }  // namespace glare

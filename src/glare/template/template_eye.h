@@ -15,4 +15,8 @@ namespace glare {
 Aperture draw_template_eye(const EyeParameters& parameters, const TemplateOptions& options,
                            const WavelengthRange& range);
 
+/// How large that picture is. Throws what drawing it throws, but for `Cancelled`.
+ApertureSize template_eye_size(const EyeParameters& parameters, const TemplateOptions& options,
+                               const WavelengthRange& range);
+
 }  // namespace glare

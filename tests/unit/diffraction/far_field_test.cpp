@@ -124,6 +124,33 @@ TEST(FarField, CanBeCancelled) {
   EXPECT_THROW(far_field(uneven(9, 9, 0.9), request), Cancelled);
 }
 
+TEST(FarField, HasTheSameBitsHoweverMuchIsAskedForOnAnyNumberOfThreads) {
+  const Aperture aperture = uneven(301, 280, 30.1);
+  auto request = request_to(5, 5, 1);  // All within reach: the passes share the field's memory.
+  const FarField whole = far_field(aperture, request);
+  for (const double most_per_mm : {0.4, 2.0, 2.7, 4.5, 5.0})
+    for (const int threads : {1, 3}) {
+      request = request_to(most_per_mm, most_per_mm);
+      request.threads = threads;
+      const FarField part = far_field(aperture, request);
+      const auto width = static_cast<std::size_t>(part.intensity_mm2.width());
+      for (int r = 0; r < part.intensity_mm2.height(); ++r) {
+        const auto row = whole.intensity_mm2.row(r + part.first_kx - whole.first_kx);
+        ASSERT_TRUE(std::ranges::equal(part.intensity_mm2.row(r),
+                                       row.subspan(part.first_ky - whole.first_ky, width)))
+            << most_per_mm << ", row " << r;
+      }
+    }
+}
+
+TEST(FarField, TakesLittleMoreThanItsOwnMemoryWhereAllIsWithinReach) {
+  auto request = request_to(5, 5);
+  request.threads = 1;
+  const FarField f = far_field(uneven(400, 400, 40), request);
+  EXPECT_LT(far_field_bytes(400, 400, 0.1, request),
+            1.3 * static_cast<double>(f.intensity_mm2.values().size_bytes()));
+}
+
 TEST(FarField, TellsHowManyBytesItTakes) {
   const auto request = request_to(4, 9, 1);
   const FarField f = far_field(uneven(90, 60, 9), request);

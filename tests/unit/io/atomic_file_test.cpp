@@ -231,6 +231,32 @@ TEST_F(AtomicFileTest, WritesRelativeToTheCurrentFolder) {
   EXPECT_EQ(get(in_folder("a")), "x");
 }
 
+TEST_F(AtomicFileTest, PiecesGoWhereTheyBelongAndAppearAtOnce) {
+  put(in_folder("a"), "old");
+  {
+    AtomicFile file(in_folder("a"));
+    file.write_at(0, bytes_of("0123456789"));
+    file.write_at(4, bytes_of("abc"));
+    file.write_at(12, bytes_of("end"));
+    EXPECT_EQ(get(in_folder("a")), "old");
+    file.commit();
+    EXPECT_EQ(get(in_folder("a")), std::string("0123abc789\0\0end", 15));
+  }
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(AtomicFileTest, PiecesWithoutACommitLeaveNothing) {
+  put(in_folder("a"), "old");
+  { AtomicFile(in_folder("a")).write_at(0, bytes_of("new")); }
+  {
+    AtomicFile file(in_folder("a"));
+    file.write_at(0, bytes_of("new"));
+    EXPECT_THROW(file.commit([] { return false; }), Cancelled);
+  }
+  EXPECT_EQ(get(in_folder("a")), "old");
+  EXPECT_EQ(entries(), 1);
+}
+
 TEST_F(AtomicFileTest, AFileSizeLimitIsAnErrorAndLeavesTheOldFile) {
   put(in_folder("a"), "old");
   struct rlimit old_limit {};

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -14,7 +15,7 @@
 namespace glare {
 namespace {
 
-// What the config's 16 or 17 digits and a few operations in double precision may be off.
+// What 16 or 17 digits and a few operations in double precision may be off.
 constexpr double kRounding = 1e-14;
 
 const char* const kWithAcesRole = "  aces_interchange: reference\n";
@@ -140,6 +141,20 @@ TEST_F(ColorConfig, BuiltInSpacesAreTheirPrimariesAndWhite) {
     EXPECT_EQ(found.name(), expected.name);
     expect_near(found.rgb_from_xyz(), made.rgb_from_xyz(), kRounding);
     expect_near(found.xyz_from_rgb(), made.xyz_from_rgb(), kRounding);
+  }
+}
+
+// OpenColorIO tells no upper from lower case, and the built-in names are of lower case: so these
+// are the config's own spaces, from matrices worked out in exact fractions, by way of its ACES
+// role.
+TEST_F(ColorConfig, TheConfigForOtherProgramsHasTheBuiltInSpaces) {
+  const std::filesystem::path config = GLARE_SOURCE_DIR "/data/color/glare.ocio";
+  for (const std::string& name : built_in_color_space_names()) {
+    SCOPED_TRACE(name);
+    std::string upper_case = name;
+    for (char& c : upper_case) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    expect_near(find_color_space(upper_case, config).rgb_from_xyz(),
+                find_color_space(name).rgb_from_xyz(), kRounding);
   }
 }
 

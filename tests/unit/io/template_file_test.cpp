@@ -2,9 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <iterator>
 #include <map>
 #include <string>
 #include <thread>
@@ -240,6 +244,39 @@ TEST(TemplateFile, SeveralThreadsCanWriteAtOnce) {
   for (int i = 0; i < 4; ++i)
     EXPECT_EQ(test::file_text(folder / (std::to_string(i) + ".exr")),
               test::file_text(folder / "alone.exr"));
+}
+
+/// Runs with files of at most that many bytes.
+template <typename Work>
+void with_file_size_limit(rlim_t bytes, const Work& work) {
+  struct rlimit old_limit {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  struct rlimit limit = old_limit;
+  limit.rlim_cur = bytes;
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+  work();
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  std::signal(SIGXFSZ, old_handler);
+}
+
+TEST(TemplateFile, AFullDiskIsAnErrorAndLeavesTheOldFile) {
+  const test::ScratchFolder folder;
+  GlareTemplate t = tall_sample();  // Large enough to be written in several pieces.
+  for (auto& channel : t.channels)
+    channel = test::picture(600, 700, [](int x, int y) { return std::sin(x * y * 0.7); });
+  write_template(folder / "whole.exr", t);
+  const auto size = std::filesystem::file_size(folder / "whole.exr");
+  ASSERT_GT(size, 1'000'000u);
+  test::set_file_text(folder / "t.exr", "old");
+  for (const rlim_t limit : {rlim_t{0}, rlim_t{100}, rlim_t{300'000}, rlim_t{size / 2}, size - 1})
+    with_file_size_limit(
+        limit, [&] { EXPECT_THROW(write_template(folder / "t.exr", t), OutputError) << limit; });
+  EXPECT_EQ(test::file_text(folder / "t.exr"), "old");
+  const auto entries = std::filesystem::directory_iterator(folder / ".");
+  EXPECT_EQ(std::distance(begin(entries), end(entries)), 2);
+  with_file_size_limit(size, [&] { write_template(folder / "t.exr", t); });
+  EXPECT_EQ(test::file_text(folder / "t.exr"), test::file_text(folder / "whole.exr"));
 }
 
 TEST(TemplateFile, WhereNoFileCanBeWrittenIsTold) {

@@ -118,17 +118,5 @@ TEST(MakeTemplate, DesaturationLeavesNoNegativeChannelAndEveryLuminance) {
   EXPECT_TRUE(outside) << "the lamp is no test";
 }
 
-TEST(MakeTemplate, OneFarFieldServesManyLamps) {
-  const auto options = small();
-  const FarField field = template_far_field(pupil(), options, options.wavelength_range_nm);
-  for (const char* name : {"D65", "HP1"}) {
-    const GlareTemplate two_steps = make_template(field, *find_lamp(name), options);
-    const GlareTemplate one_step = make_template(pupil(), *find_lamp(name), options);
-    for (int k = 0; k < 3; ++k)
-      EXPECT_TRUE(
-          std::ranges::equal(two_steps.channels[k].values(), one_step.channels[k].values()));
-  }
-}
-
 }  // namespace
 }  // namespace glare

@@ -1,49 +1,53 @@
-// The only source file that includes OpenImageIO. It sees only files whose structure is checked, in
-// memory, and what it says of a picture is compared with the header: a decoder that finds another
-// size than the one that was bounded does not get to write pixels.
+// Pictures as the module glare_image_codec decodes and encodes them, with its outcomes as
+// exceptions.
 #include "glare/io/image/decoder.h"
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 
 #include <cctype>
 #include <limits>
-#include <memory>
+#include <new>
+#include <stdexcept>
 #include <utility>
 
 #include "glare/base/error.h"
+#include "glare/io/module/modules.h"
 
 namespace glare::image_io {
 
+using module::CodecOutcome;
 using std::uint16_t;
-using std::uint64_t;
 using std::uint8_t;
 
 namespace {
 
-void require_as_declared(const OIIO::ImageSpec& spec, const Header& header) {
-  const bool same = spec.width > 0 && spec.height > 0 && spec.nchannels > 0 && spec.depth <= 1 &&
-                    static_cast<uint64_t>(spec.width) == header.width &&
-                    static_cast<uint64_t>(spec.height) == header.height &&
-                    static_cast<uint64_t>(spec.nchannels) <= header.channels && !spec.deep;
-  require(same, "the header is damaged");
-}
-
-Pixels pixels_for(const OIIO::ImageSpec& spec) {
-  Pixels pixels;
-  pixels.width = spec.width;
-  pixels.height = spec.height;
-  pixels.x = spec.x - spec.full_x;
-  pixels.y = spec.y - spec.full_y;
-  pixels.full_width = spec.full_width > 0 ? spec.full_width : spec.width;
-  pixels.full_height = spec.full_height > 0 ? spec.full_height : spec.height;
-  pixels.channels = spec.nchannels;
-  pixels.names = spec.channelnames;
-  const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                     static_cast<std::size_t>(spec.nchannels);
+void set_layout(Pixels& pixels, const module::ImageLayout& layout) {
+  pixels.width = layout.width;
+  pixels.height = layout.height;
+  pixels.x = layout.x;
+  pixels.y = layout.y;
+  pixels.full_width = layout.full_width;
+  pixels.full_height = layout.full_height;
+  pixels.channels = layout.channels;
+  pixels.names.assign(layout.channel_names, layout.channel_names + layout.channels);
+  const auto count = static_cast<std::size_t>(layout.width) *
+                     static_cast<std::size_t>(layout.height) *
+                     static_cast<std::size_t>(layout.channels);
   // A damaged file may leave pixels unread without a word; this value is refused later.
   pixels.values.assign(count, std::numeric_limits<float>::quiet_NaN());
-  return pixels;
+}
+
+float* room_for(void* pixels, const module::ImageLayout& layout) noexcept try {
+  set_layout(*static_cast<Pixels*>(pixels), layout);
+  return static_cast<Pixels*>(pixels)->values.data();
+} catch (...) {
+  return nullptr;
+}
+
+bool take_bytes(void* taken, const void* bytes, std::size_t size) noexcept try {
+  const auto* const first = static_cast<const std::byte*>(bytes);
+  static_cast<Bytes*>(taken)->assign(first, first + size);
+  return true;
+} catch (...) {
+  return false;
 }
 
 void turn_first_channel(Pixels& pixels) {
@@ -53,54 +57,43 @@ void turn_first_channel(Pixels& pixels) {
   }
 }
 
-Bytes encoded_png(const OIIO::ImageSpec& spec, const void* pixels) {
-  const auto output = OIIO::ImageOutput::create("png");
-  if (!output) throw OutputError("PNG", one_line(OIIO::geterror()));
-  std::vector<unsigned char> encoded;
-  OIIO::Filesystem::IOVecOutput memory(encoded);
-  output->set_ioproxy(&memory);
-  output->threads(1);
-  const bool written = output->open("memory.png", spec) &&
-                       output->write_image(spec.format, pixels) && output->close();
-  if (!written) throw OutputError("PNG", one_line(output->geterror()));
-  const auto bytes = std::as_bytes(std::span(encoded));
-  return {bytes.begin(), bytes.end()};
+/// Throws what both ways have in common.
+void require_no_failure(CodecOutcome outcome, const module::Message& message) {
+  if (outcome == CodecOutcome::no_memory) throw std::bad_alloc();
+  if (outcome == CodecOutcome::failed) throw std::runtime_error(message.text);
+}
+
+Bytes encoded_png(const module::ImageSamples& samples) {
+  Bytes bytes;
+  module::Message message;
+  const auto outcome = module::image_codec().encode_png(samples, {&bytes, take_bytes}, message);
+  require_no_failure(outcome, message);
+  if (outcome != CodecOutcome::done) throw OutputError("PNG", one_line(message.text));
+  return bytes;
 }
 
 }  // namespace
 
 Pixels decoded(const Format& format, const Header& header, Bytes& bytes) {
-  const auto input = OIIO::ImageInput::create(format.reader);
-  if (!input) throw BadImage("OpenImageIO has no reader for it: " + one_line(OIIO::geterror()));
-  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-  input->set_ioproxy(&memory);
-  input->threads(1);
-  OIIO::ImageSpec as_stored;
-  as_stored.attribute("oiio:UnassociatedAlpha", 1);
-  OIIO::ImageSpec spec;
-  if (!input->open(std::string("the file.") + format.reader, spec, as_stored)) {
-    throw BadImage(one_line(input->geterror()));
-  }
-  require_as_declared(spec, header);
-  Pixels pixels = pixels_for(spec);
-  const bool read =
-      input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.values.data());
-  // A file that is cut short may give true, and only a message.
-  const std::string message = input->geterror();
-  input->close();
-  if (!read || !message.empty()) throw BadImage(one_line(message));
+  const module::ImageFile file = {format.reader, bytes.data(),  bytes.size(),
+                                  header.width,  header.height, header.channels};
+  Pixels pixels;
+  module::Message message;
+  const auto outcome = module::image_codec().decode(file, {&pixels, room_for}, message);
+  require_no_failure(outcome, message);
+  if (outcome == CodecOutcome::no_reader)
+    throw BadImage("OpenImageIO has no reader for it: " + one_line(message.text));
+  if (outcome != CodecOutcome::done) throw BadImage(one_line(message.text));
   if (header.zero_is_white) turn_first_channel(pixels);
   return pixels;
 }
 
 Bytes encoded_png_rgb8(int width, int height, std::span<const uint8_t> samples) {
-  OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  return encoded_png(spec, samples.data());
+  return encoded_png({width, height, 3, 8, true, samples.data()});
 }
 
 Bytes encoded_png_gray16(int width, int height, std::span<const uint16_t> samples) {
-  return encoded_png(OIIO::ImageSpec(width, height, 1, OIIO::TypeDesc::UINT16), samples.data());
+  return encoded_png({width, height, 1, 16, false, samples.data()});
 }
 
 std::string one_line(std::string message) {

@@ -1,5 +1,4 @@
-// Decoding and encoding of pictures; its source is the only one that includes OpenImageIO.
-// Internal.
+// Decoding and encoding of pictures whose structure is checked. Internal.
 #pragma once
 
 #include <cstddef>

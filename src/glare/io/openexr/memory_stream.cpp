@@ -12,10 +12,6 @@
 
 namespace glare::openexr_io {
 
-MemoryOutput::MemoryOutput(std::size_t expected_bytes) : Imf::OStream("memory") {
-  bytes_.reserve(expected_bytes);
-}
-
 void MemoryOutput::write(const char* data, int count) {
   const auto size = static_cast<std::size_t>(count);
   const auto* const first = reinterpret_cast<const std::byte*>(data);

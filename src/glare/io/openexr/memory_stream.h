@@ -14,8 +14,7 @@ namespace glare::openexr_io {
 /// A file in memory, written by OpenEXR.
 class MemoryOutput : public Imf::OStream {
  public:
-  /// No memory is moved while the file has up to `expected_bytes`.
-  explicit MemoryOutput(std::size_t expected_bytes = 0);
+  MemoryOutput() : Imf::OStream("memory") {}
 
   void write(const char* data, int count) override;
   std::uint64_t tellp() override { return position_; }

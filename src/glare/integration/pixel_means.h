@@ -1,0 +1,46 @@
+// From rays to the means over pixels. Internal.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "glare/integration/ray_band.h"
+#include "glare/integration/ray_convolution.h"
+
+namespace glare {
+
+/// The pixels of a band, tile by tile.
+class PixelMeans {
+ public:
+  /// Memory for one tile at a time: on rays, at places, of pixels and their sums.
+  struct Workspace {
+    std::array<std::vector<float>, 3> rays, places, pixels, sums;
+    std::vector<float> turned;
+  };
+
+  PixelMeans(const RayXyz& rays, const RayBand& band, const SubPixels& sub, const PixelGrid& grid);
+
+  int tile_count() const { return static_cast<int>(tiles_.size()); }
+  /// Writes the tile's pixels and those opposite to the axis. Tiles may be computed at the same
+  /// time.
+  void compute_tile(int tile, Workspace& work, XyzImage& image) const;
+
+ private:
+  struct Tile {
+    int major0, major1, minor0, minor1;
+  };
+  void add_line(const Tile& tile, int place, Workspace& work) const;
+  static constexpr int kLongestTile = 64;  ///< Along the major coordinate.
+
+  static int row_length(const Tile& tile);
+  void store_run(Image<float>& image, int x0, int y, std::span<const float> values) const;
+  void store(const Tile& tile, Workspace& work, XyzImage& image) const;
+
+  const RayXyz& rays_;
+  RayBand band_;
+  const SubPixels& sub_;
+  PixelGrid grid_;
+  std::vector<Tile> tiles_;
+};
+
+}  // namespace glare

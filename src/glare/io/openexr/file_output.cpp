@@ -1,0 +1,47 @@
+#include "glare/io/openexr/file_output.h"
+
+namespace glare::openexr_io {
+
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
+
+}  // namespace
+
+FileOutput::FileOutput(AtomicFile& file) : Imf::OStream("file"), file_(file) {
+  buffer_.reserve(kBufferBytes);
+}
+
+void FileOutput::write(const char* data, int count) {
+  const std::span bytes(reinterpret_cast<const std::byte*>(data), static_cast<std::size_t>(count));
+  if (buffer_.size() + bytes.size() > kBufferBytes) flush();
+  if (bytes.size() > kBufferBytes)
+    write_to_file(bytes);
+  else
+    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+}
+
+void FileOutput::seekp(std::uint64_t position) {
+  flush();
+  buffer_begin_ = position;
+}
+
+void FileOutput::finish() { flush(); }
+
+void FileOutput::flush() {
+  write_to_file(buffer_);
+  buffer_.clear();
+}
+
+void FileOutput::write_to_file(std::span<const std::byte> bytes) {
+  if (failure_) std::rethrow_exception(failure_);
+  try {
+    file_.write_at(buffer_begin_, bytes);
+  } catch (...) {
+    failure_ = std::current_exception();
+    throw;
+  }
+  buffer_begin_ += bytes.size();
+}
+
+}  // namespace glare::openexr_io
