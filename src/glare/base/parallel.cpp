@@ -12,6 +12,11 @@
 
 namespace glare {
 
+int threads_used(int threads) {
+  const int most = tbb::info::default_concurrency();  // TBB warns on the error stream of more.
+  return threads > 0 ? std::min(threads, most) : most;
+}
+
 void parallel_for(int count, int threads, const std::function<void(int)>& task,
                   const ProgressCallback& progress) {
   int done = 0;
@@ -24,8 +29,7 @@ void parallel_for(int count, int threads, const std::function<void(int)>& task,
     const std::scoped_lock lock(progress_mutex);
     if (!stop && !progress(static_cast<double>(++done) / count)) stop = true;
   };
-  const int most = tbb::info::default_concurrency();  // TBB warns on the error stream of more.
-  tbb::task_arena arena(threads > 0 ? std::min(threads, most) : most);
+  tbb::task_arena arena(threads_used(threads));
   arena.execute([&] { tbb::parallel_for(0, count, 1, run_one, tbb::simple_partitioner{}); });
   if (stop) throw Cancelled();
 }

@@ -10,6 +10,10 @@
 
 namespace glare {
 
+/// The number of threads used when asked for `threads` (0: as many as the machine has): no more than
+/// the machine has.
+int threads_used(int threads);
+
 /// Calls `task(i)` once for each i in [0, count), on `threads` threads (0: as many as the machine
 /// has). Tasks must not depend on one another; each is run whole by one thread, so a result that
 /// depends only on `i` is the same for any number of threads. Exceptions of a task are passed on.

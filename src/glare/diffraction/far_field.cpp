@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "glare/aperture/open_part.h"
@@ -126,8 +125,7 @@ struct Workspace {
 };
 
 std::uint64_t workspace_bytes(const Layout& layout, int threads) {
-  const auto most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const auto used = static_cast<std::uint64_t>(threads > 0 ? std::min(threads, most) : most);
+  const auto used = static_cast<std::uint64_t>(threads_used(threads));
   const int longer = std::max(layout.x.length, layout.y.length);
   const auto gathered = static_cast<std::uint64_t>(longer + kColumnsPerBlock);
   return used * (kColumnsPerBlock * gathered * sizeof(Complex) + PaddedTransform::bytes(longer));

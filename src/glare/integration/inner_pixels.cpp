@@ -91,7 +91,8 @@ void store(const Tile& tile, const std::array<std::vector<float>, 3>& xyz, const
 
 void integrate_inner_pixels(const FarField& field, const PixelGrid& grid, int end_px,
                             const Spectrum& lamp, const ColorMatchingFunctions& observer,
-                            const WavelengthRange& range, int threads, XyzImage& image) {
+                            const WavelengthRange& range, int threads,
+                            const ProgressCallback& progress, XyzImage& image) {
   const std::vector<Tile> tiles = inner_tiles(grid, end_px);
   const double nodes_per_cycle = effective_width_nm(lamp, observer, range) < kNarrowLight_nm
                                      ? kNodesPerCycleOfNarrowLight
@@ -110,7 +111,7 @@ void integrate_inner_pixels(const FarField& field, const PixelGrid& grid, int en
     TileIntegrator integrator(field, grid.pitch_rad, interpolation);
     store(tiles[i], integrator.integrate(tiles[i], *quadrature_of_tile[i]), grid, image);
   };
-  parallel_for(static_cast<int>(tiles.size()), threads, one_tile);
+  parallel_for(static_cast<int>(tiles.size()), threads, one_tile, progress);
 }
 
 }  // namespace glare

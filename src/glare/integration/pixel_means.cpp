@@ -17,7 +17,7 @@ constexpr int kTaps = InterpolationTable<12>::kTaps;
 
 /// For the logarithm of the distance.
 const PointInterpolation& radial_interpolation() {
-  static const PointInterpolation interpolation(WindowedSinc{12, 7.5});
+  static const PointInterpolation interpolation(WindowedSinc{12, 6});
   return interpolation;
 }
 

@@ -24,7 +24,8 @@ constexpr double kNearAxis_cycles = 90, kRaysNearAxis = 0.25;
 
 /// Steps of the convolution in periods of the detail that it must carry, and the longest; only
 /// bands with as much detail as this, in cycles per unit of the logarithm, are worth fewer steps.
-constexpr double kCoarseSteps = 0.3, kLongestStep = 0.01, kMuchDetail = 150;
+constexpr double kCoarseSteps = 0.3, kLongestStep = 0.01, kLongestCoarseStep = 0.002,
+                 kMuchDetail = 150;
 
 /// Distances depend on this wavelength, and on the range's shortest only where that is shorter: so
 /// a part of the range is integrated at the same places as the whole.
@@ -86,13 +87,27 @@ std::array<SectorPixels, 2> sectors(const FarField& field, const PixelGrid& grid
            {Sector::x_major, grid.center_x(), grid.center_y(), field.extent_y_mm}}};
 }
 
+/// Whether a ray is sampled densely enough where it crosses the field's own rows of the major
+/// coordinate: it goes through detail of both extents, and an opening much longer along the minor
+/// coordinate has more of it than rows. `RaySamples` averages only such rays.
+bool is_dense_by_row(const FarField& field, const RayBand& band) {
+  constexpr double kMost_cycles = 0.7;  // Per row; what is beyond 1/2 is the corners', and dim.
+  const bool x_major = band.sector == Sector::x_major;
+  const double major_mm = x_major ? field.extent_x_mm : field.extent_y_mm;
+  const double minor_mm = x_major ? field.extent_y_mm : field.extent_x_mm;
+  const double bin_per_mm = x_major ? field.bin_x_per_mm : field.bin_y_per_mm;
+  const double slope = std::min(1.0, 2.0 * band.across_px / band.end_px);
+  return (major_mm + slope * minor_mm) * bin_per_mm <= kMost_cycles;
+}
+
 void set_log_steps(const FarField& field, const WavelengthRange& range,
                    const std::function<double(double)>& cutoff, RayBand& band) {
   const double finest = finest_log_step(field, band.last_rad, range);
   const double bandwidth = kLogSteps / finest;
   double coarse = finest;
-  if (bandwidth > kMuchDetail)
-    coarse = std::clamp(kCoarseSteps / cutoff(bandwidth), finest, kLongestStep);
+  if (bandwidth > kMuchDetail && is_dense_by_row(field, band))
+    coarse =
+        std::clamp(kCoarseSteps / cutoff(bandwidth), finest, std::max(finest, kLongestCoarseStep));
   constexpr double kRounding = 1e-9;
   band.decimation = static_cast<int>(std::ceil(coarse / finest - kRounding));
   band.fine_step = coarse / band.decimation;
@@ -168,6 +183,20 @@ std::vector<RayBand> ray_bands(const FarField& field, const PixelGrid& grid, con
     }
   }
   return bands;
+}
+
+std::uint64_t ring_bytes(double open_side_mm, const PixelGrid& grid, const WavelengthRange& range,
+                         int threads) {
+  const double cycles = (std::max(grid.center_x(), grid.center_y()) + 1) * grid.pitch_rad *
+                        open_side_mm / shortest_mm(range);
+  // An octave of rays at their densest, or what a band is held to; with what interpolation takes in
+  // at the borders.
+  const double rays = 2.2 * cycles / kRaysNearAxis + 64, rows = 0.7 * cycles / kLogSteps + 96;
+  const double values = std::min(3 * rays * rows, 1.25 * kMostValues);
+  // A tile of rays: its samples, and the buffers of its transforms; a tile of pixels.
+  const double steps = 1.6 * cycles / kLogSteps + 256, samples = 8 * cycles + 256;
+  const double tile = (7 * steps * kRaysPerBlock + 4 * samples * kRaysPerBlock) + 3e5;
+  return static_cast<std::uint64_t>(sizeof(float) * (values + threads * tile));
 }
 
 }  // namespace glare

@@ -59,8 +59,9 @@ std::vector<RayBand> ray_bands(const FarField& field, const PixelGrid& grid, con
                                const WavelengthRange& range, int begin_px,
                                const std::function<double(double)>& cutoff);
 
-/// An upper bound for the memory that a band's rays take, in bytes.
-std::uint64_t ray_band_bytes(double open_side_mm, const PixelGrid& grid,
-                             const WavelengthRange& range);
+/// An upper bound for the memory that the rings take at a time, in bytes, for an open part whose
+/// longer side is `open_side_mm`.
+std::uint64_t ring_bytes(double open_side_mm, const PixelGrid& grid, const WavelengthRange& range,
+                         int threads);
 
 }  // namespace glare

@@ -29,9 +29,9 @@ void interpolate_minor(bool fine, const float* row, const EvenPlaces& places, fl
 }  // namespace
 
 DecimationFilter::DecimationFilter(int decimation) : weights_{1} {
-  constexpr int kReach = 3;
+  constexpr int kReach = 4;
   constexpr WindowedSinc kKernel{2 * kReach, 5};
-  constexpr double kCutoff = 0.9;
+  constexpr double kCutoff = 1;
   if (decimation == 1) return;
   weights_.clear();
   double sum = 0;

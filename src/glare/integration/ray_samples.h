@@ -82,7 +82,7 @@ class RaySamples {
   LogRows rows_;
   double major_bin_per_mm_, minor_samples_;  ///< Minor samples per ray and major sample.
   int last_major_;                           ///< The last major sample that the field holds.
-  bool fine_ = false;  ///< Interpolation with more taps.
+  bool fine_ = false;                        ///< Interpolation with more taps.
   double log_scale_ = 0;
   std::vector<WeightedRows> weighted_;
 };

@@ -13,7 +13,7 @@ namespace glare {
 namespace {
 
 /// The share of the integral that detail beyond the convolution's reach may add.
-constexpr double kNeglectedDetail = 0.0022;
+constexpr double kNeglectedDetail = 0.01;
 
 /// Pixels of the half plane that a band holds.
 double pixels_of(const RayBand& band) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "glare/base/error.h"
+#include "glare/base/parallel.h"
 #include "glare/base/units.h"
 #include "glare/integration/inner_pixels.h"
 #include "glare/integration/ring_pixels.h"
@@ -47,9 +48,13 @@ void spectral_integral(const FarField& field, const PixelGrid& grid, const Spect
       channel = Image<float>::uninitialized(grid.width, grid.height);
   const SubPixels sub = sub_pixels(field, grid, range);
   const int ring_px = first_ring_px(field, sub, range, effective_width_nm(lamp, observer, range));
-  integrate_inner_pixels(field, grid, ring_px, lamp, observer, range, threads, result);
-  integrate_ring_pixels(field, grid, sub, ring_px, lamp, observer, range, threads, progress,
-                        result);
+  const bool all_inner = ring_px > std::max(grid.center_x(), grid.center_y());
+  const double inner_share = all_inner ? 1 : 0.1;
+  integrate_inner_pixels(field, grid, ring_px, lamp, observer, range, threads,
+                         progress_part(progress, 0, inner_share), result);
+  if (all_inner) return;
+  integrate_ring_pixels(field, grid, sub, ring_px, lamp, observer, range, threads,
+                        progress_part(progress, inner_share, 1), result);
 }
 
 XyzImage spectral_integral(const FarField& field, const PixelGrid& grid, const Spectrum& lamp,
@@ -69,6 +74,11 @@ FarFieldRequest far_field_request(double open_side_mm, const PixelGrid& grid,
   request.overlap_frequency_x_per_mm = 0.5 * per_mm;
   request.padding = padding_for(grid.pitch_rad / (range.hi_nm * kMmPerNm) * open_side_mm);
   return request;
+}
+
+std::uint64_t spectral_integral_bytes(double open_side_mm, const PixelGrid& grid,
+                                      const WavelengthRange& range, int threads) {
+  return ring_bytes(open_side_mm, grid, range, threads_used(threads));
 }
 
 }  // namespace glare

@@ -52,4 +52,9 @@ void spectral_integral(const FarField& field, const PixelGrid& grid, const Spect
 FarFieldRequest far_field_request(double open_side_mm, const PixelGrid& grid,
                                   const WavelengthRange& range);
 
+/// Bytes that `spectral_integral` takes at its peak, besides the field and the result, for an open
+/// part whose longer side is `open_side_mm`. An upper bound.
+std::uint64_t spectral_integral_bytes(double open_side_mm, const PixelGrid& grid,
+                                      const WavelengthRange& range, int threads);
+
 }  // namespace glare

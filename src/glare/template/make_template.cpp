@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <thread>
 
 #include "glare/aperture/open_part.h"
 #include "glare/base/error.h"
+#include "glare/base/parallel.h"
 #include "glare/base/units.h"
 #include "glare/color/gamut.h"
 #include "glare/spectrum/observer.h"
@@ -61,8 +61,7 @@ std::uint64_t bytes_of(int width, int height) {
 /// What OpenEXR takes to write rows of that width: twice as many blocks of 16 rows as there are
 /// threads, each three times, and 256 rows in half precision.
 std::uint64_t writing_bytes(int width, int threads) {
-  const int most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const int used = threads > 0 ? std::min(threads, most) : most;
+  const int used = threads_used(threads);
   constexpr int kChannels = 3, kHalfBytes = 2, kRowsInHalf = 256, kBlockRows = 16;
   return kChannels * (bytes_of<float>(width, 2 * 3 * kBlockRows * used) +
                       kHalfBytes * bytes_of<std::byte>(width, kRowsInHalf));
@@ -238,12 +237,15 @@ GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
 std::uint64_t template_bytes(const ApertureSize& aperture, const TemplateOptions& options,
                              const WavelengthRange& range) {
   const PixelGrid grid = pixel_grid(options);
+  const FarFieldRequest request = far_field_request(aperture, options, range);
+  const double open_side_mm = std::max(aperture.width, aperture.height) * aperture.pixel_mm;
   constexpr int kChannels = 3;
   return bytes_of<float>(aperture.width, aperture.height) +
-         far_field_bytes(aperture.width, aperture.height, aperture.pixel_mm,
-                         far_field_request(aperture, options, range)) +
+         far_field_bytes(aperture.width, aperture.height, aperture.pixel_mm, request) +
          kChannels * bytes_of<float>(grid.width, grid.height) +
-         writing_bytes(grid.width, options.threads) + options.further_bytes;
+         std::max(spectral_integral_bytes(open_side_mm, grid, range, options.threads),
+                  writing_bytes(grid.width, options.threads)) +
+         options.further_bytes;
 }
 
 void require_memory(const ApertureSize& aperture, const TemplateOptions& options,
