@@ -7,10 +7,7 @@
 #include <fstream>
 #include <thread>
 
-#if __has_include("glare/integration/vector_loops.h")
 #include "glare/integration/vector_loops.h"
-#define GLARE_TELLS_VECTOR_TARGET
-#endif
 
 namespace glare::bench {
 
@@ -40,13 +37,7 @@ std::string instruction_sets() {
 }
 
 /// What the library chose of them.
-std::string used_instruction_set() {
-#ifdef GLARE_TELLS_VECTOR_TARGET
-  return vector_target_name();
-#else
-  return "the compiler's default";
-#endif
-}
+std::string used_instruction_set() { return vector_target_name(); }
 
 std::string compiler() {
 #if defined(__clang__)

@@ -58,8 +58,8 @@ TEST_P(LargeSizeAccuracy, AgreesWithTheExactReference) {
   }
 }
 
-/// Along a ray an opening ten times as long as wide has detail that its far field's rows, in the one
-/// direction, are too few for.
+/// Along a ray an opening ten times as long as wide has detail that its far field's rows, in the
+/// one direction, are too few for.
 TEST(LargeSizeAccuracyOfALongOpening, AgreesWithTheExactReference) {
   constexpr int kSize = 500;
   constexpr double kWidth_mm = 8;
@@ -69,9 +69,9 @@ TEST(LargeSizeAccuracyOfALongOpening, AgreesWithTheExactReference) {
   const auto& observer = color_matching_functions("cie1931-2deg");
   const Spectrum lamp = *find_lamp("A");
   const auto pixels = exact::spread_pixels(kSize, kSize, kPixels, 0.5, kSize * std::sqrt(0.5));
-  const auto expected = exact::xyz_at(
-      opening, {kSize, kSize, grid.pitch_rad, pixels, range.lo_nm, range.hi_nm},
-      test::tables_of(observer), {test::table_of(lamp)});
+  const auto expected =
+      exact::xyz_at(opening, {kSize, kSize, grid.pitch_rad, pixels, range.lo_nm, range.hi_nm},
+                    test::tables_of(observer), {test::table_of(lamp)});
   const FarField field = far_field(opening, far_field_request(0.1 * kWidth_mm, grid, range));
   const XyzImage found = spectral_integral(field, grid, lamp, observer, range, 0, {});
   // Hard, straight edges: all of the detail is at the very ends of what the samples hold.

@@ -1,5 +1,7 @@
 #include "glare/integration/point_interpolation.h"
 
+#include <algorithm>
+
 namespace glare {
 
 PointInterpolation::PointInterpolation(const WindowedSinc& kernel) : taps_(kernel.taps) {
@@ -9,7 +11,7 @@ PointInterpolation::PointInterpolation(const WindowedSinc& kernel) : taps_(kerne
 
 WindowedSinc::PerTap PointInterpolation::weights_at(double fraction) const {
   const double steps = fraction * kSteps;
-  const int step = static_cast<int>(steps);
+  const int step = std::min(static_cast<int>(steps), kSteps - 1);
   const double rest = steps - step;
   WindowedSinc::PerTap weights;
   for (int j = 0; j < WindowedSinc::kMostTaps; ++j)

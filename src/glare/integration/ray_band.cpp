@@ -16,7 +16,7 @@ namespace {
 /// Distances from place to place in a pixel, from ray to ray at a band's outer edge, and from step
 /// to step of the logarithm there, in periods of the finest detail at the shortest wavelength,
 /// lambda / extent. docs/performance.md has the errors and times of others.
-constexpr double kPlaces = 0.375, kRays = 0.48, kLogSteps = 0.3;
+constexpr double kPlaces = 0.375, kRays = 0.48, kLogSteps = 0.32;
 
 /// Near the axis, up to as many cycles of the finest detail, the pattern is steep, and more rays
 /// cost little.
@@ -87,6 +87,9 @@ std::array<SectorPixels, 2> sectors(const FarField& field, const PixelGrid& grid
            {Sector::x_major, grid.center_x(), grid.center_y(), field.extent_y_mm}}};
 }
 
+/// Fewer steps than by this factor would gain nothing.
+constexpr double kWorthwhile = 1.3;
+
 /// Whether a ray is sampled densely enough where it crosses the field's own rows of the major
 /// coordinate: it goes through detail of both extents, and an opening much longer along the minor
 /// coordinate has more of it than rows. `RaySamples` averages only such rays.
@@ -108,9 +111,9 @@ void set_log_steps(const FarField& field, const WavelengthRange& range,
   if (bandwidth > kMuchDetail && is_dense_by_row(field, band))
     coarse =
         std::clamp(kCoarseSteps / cutoff(bandwidth), finest, std::max(finest, kLongestCoarseStep));
-  constexpr double kRounding = 1e-9;
-  band.decimation = static_cast<int>(std::ceil(coarse / finest - kRounding));
-  band.fine_step = coarse / band.decimation;
+  band.decimation =
+      coarse < kWorthwhile * finest ? 1 : static_cast<int>(std::ceil(coarse / finest));
+  band.fine_step = band.decimation == 1 ? finest : coarse / band.decimation;
 }
 
 /// Sets what depends on where the band begins.
@@ -160,7 +163,8 @@ int first_ring_px(const FarField& field, const SubPixels& sub, const WavelengthR
 double finest_log_step(const FarField& field, const PixelGrid& grid, const SubPixels& sub,
                        const WavelengthRange& range) {
   const double last = std::max(grid.center_x(), grid.center_y()) * sub.per_pixel + sub.reach;
-  return finest_log_step(field, last * sub.pitch_rad, range);
+  // A whole number of fine steps makes a coarse one: so they may be shorter, by this at most.
+  return kWorthwhile / 2 * finest_log_step(field, last * sub.pitch_rad, range);
 }
 
 std::vector<RayBand> ray_bands(const FarField& field, const PixelGrid& grid, const SubPixels& sub,

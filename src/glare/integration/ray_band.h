@@ -26,7 +26,8 @@ SubPixels sub_pixels(const FarField& field, const PixelGrid& grid, const Wavelen
 enum class Sector { x_major, y_major };
 
 /// A ring of a sector of the half plane: the pixels whose major coordinate is `begin_px` to
-/// `end_px` - 1 and whose minor coordinate is at most that, and at most `across_px`, either way. On
+/// `end_px` - 1 and whose minor coordinate is at most that, and at most `across_px`, either way
+/// (pixels on the diagonals belong to the sector y_major). On
 /// rays from the axis, along which minor / major is constant, another wavelength's pattern is the
 /// same one shifted, over the logarithm of the major coordinate.
 struct RayBand {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "glare/integration/log_spectrum.h"
+#include "glare/integration/point_interpolation.h"
 
 namespace glare {
 
@@ -14,6 +14,13 @@ namespace {
 /// Samples on either side of a place that interpolation along the minor coordinate takes in, at
 /// most.
 constexpr int kMargin = InterpolationTable<12>::kTaps / 2;
+
+/// Across rows of the far field.
+const PointInterpolation& major_interpolation(bool fine) {
+  static const PointInterpolation interpolation(WindowedSinc{8, 6.5});
+  static const PointInterpolation fine_interpolation(WindowedSinc{12, 8.5});
+  return fine ? fine_interpolation : interpolation;
+}
 
 /// Interpolates along the minor coordinate, with more taps where the pattern is steep or its
 /// samples are few.
@@ -73,7 +80,7 @@ RaySamples::RaySamples(const FarField& field, const RayBand& band, const LogRows
 
 void RaySamples::set_weights() {
   const DecimationFilter filter(rows_.decimation);
-  const PointInterpolation& interpolation = log_interpolation();
+  const PointInterpolation& interpolation = major_interpolation(fine_);
   const int half = interpolation.taps() / 2;
   const int reach = filter.reach();
   const auto place_of = [&](double log) { return std::exp(log) / major_bin_per_mm_; };

@@ -42,7 +42,7 @@ class DecimationFilter {
 class RaySamples {
  public:
   static constexpr double kWhitening = 3;
-  static constexpr int kRaysPerTile = 2 * kRaysPerBlock;
+  static constexpr int kRaysPerTile = 4 * kRaysPerBlock;
 
   RaySamples(const FarField& field, const RayBand& band, const LogRows& rows);
 

@@ -108,8 +108,16 @@ TEST(BlockTransform, ItsLengthIsTheSmallestEvenOneThatSuffices) {
   struct Case {
     int minimum, length;
   };
-  for (const Case c : {Case{1, 2}, {2, 2}, {3, 4}, {7, 8}, {13, 16}, {25, 30}, {101, 108},
-                       {243, 250}, {1009, 1024}, {4321, 4374}})
+  for (const Case c : {Case{1, 2},
+                       {2, 2},
+                       {3, 4},
+                       {7, 8},
+                       {13, 16},
+                       {25, 30},
+                       {101, 108},
+                       {243, 250},
+                       {1009, 1024},
+                       {4321, 4374}})
     EXPECT_EQ(BlockTransform::length_for(c.minimum), c.length) << c.minimum;
 }
 

@@ -44,8 +44,10 @@ TEST(PointInterpolation, MeetsACosine) {
     WindowedSinc kernel;
     double cycles, error;
   };
-  for (const Case& c : {Case{{12, 8.5}, 1 / 8.0, 2e-4}, {{12, 8.5}, 1 / 4.0, 4e-4},
-                        {{12, 6}, 1 / 8.0, 3e-3}, {{12, 6}, 1 / 4.0, 3e-3}}) {
+  for (const Case& c : {Case{{12, 8.5}, 1 / 8.0, 2e-4},
+                        {{12, 8.5}, 1 / 4.0, 4e-4},
+                        {{12, 6}, 1 / 8.0, 3e-3},
+                        {{12, 6}, 1 / 4.0, 3e-3}}) {
     const PointInterpolation interpolation(c.kernel);
     const auto wave = [&](double s) { return std::cos(2 * std::numbers::pi * c.cycles * s); };
     for (double place = 20; place < 60; place += 0.0371) {

@@ -5,12 +5,9 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
-
-#include "glare/base/aligned_buffer.h"
 
 namespace glare {
 namespace {
@@ -75,18 +72,21 @@ void expect_interpolated(std::size_t rows) {
   for (const double step : {0.0, 0.013, 0.77, 1.0, 3.1})
     for (const double first : {-40.3, 0.0, 12.999999, 100.5})
       for (int count = 1; count < 36; ++count) {
-        std::vector<float> found(static_cast<std::size_t>(count) + 1, kUntouched), b = found, c = found;
+        std::vector<float> found(static_cast<std::size_t>(count) + 1, kUntouched), b = found,
+                                                                                   c = found;
         const EvenPlaces places{first, step, count};
         if constexpr (kTaps == 12) {
           if (rows == 3)
-            interpolate({row, row + 7, row - 50}, places, table, {found.data(), b.data(), c.data()});
+            interpolate({row, row + 7, row - 50}, places, table,
+                        {found.data(), b.data(), c.data()});
           else
             interpolate(row, places, table, found.data());
         } else {
           interpolate(row, places, table, found.data());
         }
         for (int i = 0; i < count; ++i) {
-          ASSERT_NEAR(found[i], value_at(row, first + i * step, table), kPlaces) << count << " " << i;
+          ASSERT_NEAR(found[i], value_at(row, first + i * step, table), kPlaces)
+              << count << " " << i;
           if (rows < 3) continue;
           ASSERT_NEAR(b[i], value_at(row + 7, first + i * step, table), kPlaces);
           ASSERT_NEAR(c[i], value_at(row - 50, first + i * step, table), kPlaces);
@@ -160,36 +160,6 @@ TEST_P(VectorLoops, AddWeighted) {
   }
 }
 
-/// The transform of a pass by its definition, in double.
-TEST_P(VectorLoops, TransformPassAndMultiplyRows) {
-  using Complex = std::complex<double>;
-  constexpr int kSignals = kRaysPerBlock / 2, kRuns = 3, kGroups = 2;
-  for (int test = 0; test < 8; ++test) {
-    const int radix = 2 + test / 2, rows = radix * kRuns * kGroups;
-    const bool backward = test % 2 == 1;
-    AlignedBuffer<std::complex<float>> in(rows * kSignals), out(rows * kSignals);
-    const auto parts = random_values(2 * rows * kSignals), turn_parts = random_values(2 * rows);
-    std::vector<std::complex<float>> turns;
-    for (int i = 0; i < rows; ++i) turns.emplace_back(turn_parts[2 * i], turn_parts[2 * i + 1]);
-    const auto x = in.values(), y = out.values();
-    for (int i = 0; i < rows * kSignals; ++i) x[i] = {parts[2 * i], parts[2 * i + 1]};
-    transform_pass({radix, kRuns, kGroups, backward, turns.data()}, x.data(), kSignals, y.data());
-    for (int i = 0; i < rows * kSignals; ++i) {
-      const int s = i % kSignals, row = i / kSignals, q = row % kGroups;
-      const int j = row / kGroups % radix, p = row / (kGroups * radix);
-      Complex sum = 0;
-      for (int k = 0; k < radix; ++k)
-        sum += Complex(x[((k * kRuns + p) * kGroups + q) * kSignals + s]) *
-               std::polar(1.0, (backward ? 2 : -2) * std::numbers::pi * j * k / radix);
-      if (j > 0) sum *= Complex(turns[p * (radix - 1) + j - 1]);
-      ASSERT_LT(std::abs(Complex(y[i]) - sum), 4 * rounding(radix)) << radix << " " << i;
-    }
-    multiply_rows(turns, x.data(), y.data());
-    for (int i = 0; i < rows * kSignals; ++i)
-      ASSERT_LT(std::abs(Complex(y[i]) - Complex(x[i]) * Complex(turns[i / kSignals])), rounding(4));
-  }
-}
-
 TEST_P(VectorLoops, Transpose) {
   const auto values = random_values(40 * 40);
   for (int rows = 0; rows < 14; ++rows)
@@ -201,9 +171,8 @@ TEST_P(VectorLoops, Transpose) {
           transpose(source, row_stride, step, rows, columns, target.data(), 15);
           for (int c = 0; c < 14; ++c)
             for (int r = 0; r < 15; ++r)
-              ASSERT_EQ(target[c * 15 + r], r < rows && c < columns
-                                                ? source[r * row_stride + c * step]
-                                                : kUntouched)
+              ASSERT_EQ(target[c * 15 + r],
+                        r < rows && c < columns ? source[r * row_stride + c * step] : kUntouched)
                   << rows << " " << columns << " " << step;
         }
 }

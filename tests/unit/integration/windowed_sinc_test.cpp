@@ -67,8 +67,8 @@ TEST(WindowedSinc, ItsCutoffMovesTheNulls) {
 TEST(WindowedSinc, ItsWindowIsKaisers) {
   // Between the nulls, sinc (2 / pi) times the window, I0(beta root(1 - u^2)) / I0(beta).
   const double beta = kAveragingKernel.kaiser_beta, u = 0.5 / 6;
-  const double window = std::cyl_bessel_i(0.0, beta * std::sqrt(1 - u * u)) /
-                        std::cyl_bessel_i(0.0, beta);
+  const double window =
+      std::cyl_bessel_i(0.0, beta * std::sqrt(1 - u * u)) / std::cyl_bessel_i(0.0, beta);
   EXPECT_NEAR(windowed_sinc(kAveragingKernel, 0.5) / windowed_sinc(kAveragingKernel, 0),
               2 / std::numbers::pi * window, kRounding);
 }
