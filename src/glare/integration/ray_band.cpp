@@ -41,9 +41,6 @@ double shortest_mm(const WavelengthRange& range) {
 constexpr double kInner_samples = 12, kInnerOfOneWavelength_samples = 96;
 constexpr double kOneWavelength_nm = 2;
 
-/// Rays' values that are held at a time.
-constexpr double kMostValues = 16e6;
-
 /// Smooth, for places at 2.7 a period.
 constexpr WindowedSinc kPlacesKernel{8, 6};
 
@@ -130,7 +127,7 @@ void set_begin(const SubPixels& sub, int begin_px, RayBand& band) {
 /// the way where little would be left.
 int begin_of_band(const RayBand& band, const SubPixels& sub, int begin_px) {
   const double rays = 2 / band.ray_step;
-  const double rows = kMostValues / (3 * rays);
+  const double rows = kMostRayValues / (3 * rays);
   const double share = std::exp(-rows * band.fine_step * band.decimation);
   const int nearest = static_cast<int>(std::ceil(band.end_px * std::max(0.5, share)));
   const int begin = std::min(nearest, band.end_px - 1);
@@ -193,10 +190,10 @@ std::uint64_t ring_bytes(double open_side_mm, const PixelGrid& grid, const Wavel
                          int threads) {
   const double cycles = (std::max(grid.center_x(), grid.center_y()) + 1) * grid.pitch_rad *
                         open_side_mm / shortest_mm(range);
-  // An octave of rays at their densest, or what a band is held to; with what interpolation takes in
-  // at the borders.
+  // The outermost octave's rays at their densest, with what interpolation takes in at the borders,
+  // and the inner ones', of both sectors; or what is held at a time.
   const double rays = 2.2 * cycles / kRaysNearAxis + 64, rows = 0.7 * cycles / kLogSteps + 96;
-  const double values = std::min(3 * rays * rows, 1.25 * kMostValues);
+  const double values = std::min(2.7 * 3 * rays * rows, 1.25 * kMostRayValues);
   // A tile of rays: its samples, and the buffers of its transforms; a tile of pixels.
   const double steps = 1.6 * cycles / kLogSteps + 256, samples = 8 * cycles + 256;
   const double tile = (7 * steps * kRaysPerBlock + 4 * samples * kRaysPerBlock) + 3e5;

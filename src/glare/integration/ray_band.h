@@ -60,6 +60,9 @@ std::vector<RayBand> ray_bands(const FarField& field, const PixelGrid& grid, con
                                const WavelengthRange& range, int begin_px,
                                const std::function<double(double)>& cutoff);
 
+/// About as many values of rays, X, Y and Z, are held at a time.
+inline constexpr double kMostRayValues = 16e6;
+
 /// An upper bound for the memory that the rings take at a time, in bytes, for an open part whose
 /// longer side is `open_side_mm`.
 std::uint64_t ring_bytes(double open_side_mm, const PixelGrid& grid, const WavelengthRange& range,

@@ -1,6 +1,7 @@
 #include "glare/integration/ray_convolution.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace glare {
@@ -14,20 +15,31 @@ constexpr int kSignals = BlockTransform::kSignals;  ///< Two rays make a complex
 
 }  // namespace
 
-RayConvolution::RayConvolution(const FarField& field, const RayBand& band, const LogSpectrum& light,
-                               GrowingBuffer<float>& memory) {
-  const int decimation = band.decimation;
-  const double step = light.log_step * decimation;
-  result_.log_step = step;
-  result_.first_log_rad = std::log(band.first_rad) - kMarginRows * step;
-  result_.rows = static_cast<int>(std::ceil(std::log(band.last_rad / band.first_rad) / step)) +
-                 2 * kMarginRows + 1;
-  result_.ray_step = band.ray_step;
-  result_.first_ray = -band.rays_each_side;
-  result_.blocks = (2 * band.rays_each_side + kRaysPerBlock) / kRaysPerBlock;
-  result_.values =
-      memory.values(3 * static_cast<std::size_t>(result_.blocks) * result_.block_size());
+RayXyz RayConvolution::layout(const RayBand& band) {
+  RayXyz rays;
+  rays.log_step = band.fine_step * band.decimation;
+  rays.first_log_rad = std::log(band.first_rad) - kMarginRows * rays.log_step;
+  rays.rows =
+      static_cast<int>(std::ceil(std::log(band.last_rad / band.first_rad) / rays.log_step)) +
+      2 * kMarginRows + 1;
+  rays.ray_step = band.ray_step;
+  rays.first_ray = -band.rays_each_side;
+  rays.blocks = (2 * band.rays_each_side + kRaysPerBlock) / kRaysPerBlock;
+  return rays;
+}
 
+std::size_t RayConvolution::value_count(const RayBand& band) {
+  const RayXyz rays = layout(band);
+  return 3 * static_cast<std::size_t>(rays.blocks) * rays.block_size();
+}
+
+RayConvolution::RayConvolution(const FarField& field, const RayBand& band, const LogSpectrum& light,
+                               std::span<float> memory)
+    : result_(layout(band)) {
+  assert(memory.size() == value_count(band) && light.log_step == band.fine_step);
+  result_.values = memory;
+  const int decimation = band.decimation;
+  const double step = result_.log_step;
   const int guard = decimation == 1 ? 0 : kRingingRows;
   const int taps = (static_cast<int>(light.weights.size()) + decimation - 1) / decimation;
   sampled_rows_ = result_.rows + taps + 2 * guard;

@@ -51,9 +51,12 @@ class RayConvolution {
     RaySamples::Workspace samples;
   };
 
-  /// `light` is at the band's fine step; `memory` is used for the result.
+  /// How many values the result has.
+  static std::size_t value_count(const RayBand& band);
+
+  /// `light` is at the band's fine step; `memory` holds `value_count` values, for the result.
   RayConvolution(const FarField& field, const RayBand& band, const LogSpectrum& light,
-                 GrowingBuffer<float>& memory);
+                 std::span<float> memory);
 
   int tile_count() const { return (result_.blocks + kBlocksPerTile - 1) / kBlocksPerTile; }
   /// Tiles may be computed at the same time.
@@ -64,6 +67,7 @@ class RayConvolution {
  private:
   static constexpr int kBlocksPerTile = RaySamples::kRaysPerTile / kRaysPerBlock;
 
+  static RayXyz layout(const RayBand& band);
   void set_factors(const LogSpectrum& light, int decimation, int first_tap);
 
   std::array<std::vector<std::complex<float>>, 3> factors_;

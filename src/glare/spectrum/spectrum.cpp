@@ -51,15 +51,22 @@ Spectrum::Spectrum(std::vector<double> wavelengths_nm, std::vector<double> value
 }
 
 double Spectrum::operator()(double wavelength_nm) const {
-  if (!(wavelength_nm >= wavelengths_nm_.front() && wavelength_nm <= wavelengths_nm_.back()))
-    return 0;
-  const auto above =
-      std::upper_bound(wavelengths_nm_.begin(), wavelengths_nm_.end(), wavelength_nm);
-  if (above == wavelengths_nm_.end()) return values_.back();
-  const auto i = static_cast<std::size_t>(above - wavelengths_nm_.begin());
+  const double first_nm = wavelengths_nm_.front(), last_nm = wavelengths_nm_.back();
+  if (!(wavelength_nm >= first_nm && wavelength_nm <= last_nm)) return 0;
+  if (wavelength_nm == last_nm) return values_.back();
+  // Most tables are evenly spaced: the interval is where it then would be, or is searched for.
+  const std::size_t intervals = values_.size() - 1;
+  const double place =
+      (wavelength_nm - first_nm) / (last_nm - first_nm) * static_cast<double>(intervals);
+  std::size_t i = std::min(static_cast<std::size_t>(place), intervals - 1);
+  if (!(wavelengths_nm_[i] <= wavelength_nm && wavelength_nm < wavelengths_nm_[i + 1]))
+    i = static_cast<std::size_t>(
+            std::upper_bound(wavelengths_nm_.begin(), wavelengths_nm_.end(), wavelength_nm) -
+            wavelengths_nm_.begin()) -
+        1;
   const double share =
-      (wavelength_nm - wavelengths_nm_[i - 1]) / (wavelengths_nm_[i] - wavelengths_nm_[i - 1]);
-  return std::lerp(values_[i - 1], values_[i], share);
+      (wavelength_nm - wavelengths_nm_[i]) / (wavelengths_nm_[i + 1] - wavelengths_nm_[i]);
+  return std::lerp(values_[i], values_[i + 1], share);
 }
 
 std::vector<double> union_of_knots(std::span<const Spectrum* const> spectra,

@@ -38,7 +38,7 @@ Result means_of(int width, int height, double pixel_cycles, const Pattern& patte
       ray_bands(field, result.grid, sub, kRange, result.begin_px, [](double) { return 1e9; });
   for (const RayBand& band : bands) {
     const LogSpectrum light{std::log(1 / 780e-6), band.fine_step, {Xyz{1, 1, 1}}};
-    GrowingBuffer<float> memory;
+    std::vector<float> memory(RayConvolution::value_count(band));
     const RayConvolution layout(field, band, light, memory);
     const RayXyz& rays = layout.result();
     for (int c = 0; c < 3; ++c)

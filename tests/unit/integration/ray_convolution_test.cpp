@@ -57,7 +57,7 @@ double worst_error(Sector sector, int decimation, const char* lamp, const Intens
   const FarField field = field_of(sector, intensity);
   const RayBand band = band_of(sector, decimation);
   const LogSpectrum light = log_spectrum(*find_lamp(lamp), observer, {380, 780}, band.fine_step);
-  GrowingBuffer<float> memory;
+  std::vector<float> memory(RayConvolution::value_count(band));
   const RayConvolution convolution(field, band, light, memory);
   RayConvolution::Workspace work;
   for (int tile = 0; tile < convolution.tile_count(); ++tile) convolution.compute_tile(tile, work);
