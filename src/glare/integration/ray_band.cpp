@@ -28,7 +28,7 @@ constexpr double kCoarseSteps = 0.3, kLongestStep = 0.01, kLongestCoarseStep = 0
                  kMuchDetail = 150;
 
 /// Distances depend on this wavelength, and on the range's shortest only where that is shorter: so
-/// a part of the range is integrated at the same places as the whole.
+/// a part of the range is integrated at steps like the whole's.
 constexpr double kShortestSeen_nm = 380;
 
 double shortest_mm(const WavelengthRange& range) {

@@ -53,9 +53,9 @@ int first_ring_px(const FarField& field, const SubPixels& sub, const WavelengthR
 double finest_log_step(const FarField& field, const PixelGrid& grid, const SubPixels& sub,
                        const WavelengthRange& range);
 
-/// Rings of at most an octave each, of both sectors, from `begin_px` to the grid's border, from the
-/// outermost on. Detail of more than `cutoff(bandwidth)` cycles per unit of the logarithm may be
-/// neglected where the pattern has as much as `bandwidth`.
+/// Rings of about an octave each (the innermost up to a factor of three), of both sectors, from
+/// `begin_px` to the grid's border, from the outermost on. Detail of more than `cutoff(bandwidth)`
+/// cycles per unit of the logarithm may be neglected where the pattern has as much as `bandwidth`.
 std::vector<RayBand> ray_bands(const FarField& field, const PixelGrid& grid, const SubPixels& sub,
                                const WavelengthRange& range, int begin_px,
                                const std::function<double(double)>& cutoff);

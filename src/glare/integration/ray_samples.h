@@ -20,7 +20,7 @@ struct LogRows {
   double step() const { return fine_step * decimation; }
 };
 
-/// Averages fine steps where there are more than one to a row: a windowed sinc of three rows either
+/// Averages fine steps where there are more than one to a row: a windowed sinc of four rows either
 /// way.
 class DecimationFilter {
  public:
