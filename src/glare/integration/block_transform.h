@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "glare/diffraction/fourier_transform.h"
-#include "glare/integration/vector_loops.h"
+#include "glare/integration/vector_transform.h"
 
 namespace glare {
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <complex>
 #include <cstddef>
 #include <span>
 
@@ -55,24 +54,6 @@ void add_weighted(float weight, const float* line, int count, float* target);
 /// `step` is 1 or -1.
 void transpose(const float* source, std::ptrdiff_t row_stride, int step, int rows, int columns,
                float* target, std::size_t target_stride);
-
-/// Multiplies row r of kRaysPerBlock / 2 complex values by factors[r].
-void multiply_rows(std::span<const std::complex<float>> factors, const std::complex<float>* rows,
-                   std::complex<float>* result);
-
-/// One pass of a transform of length radix * runs * groups: `BlockTransform`.
-struct TransformPass {
-  int radix;   ///< 2, 3, 4 or 5.
-  int runs;    ///< Inputs of one butterfly are runs * groups rows apart.
-  int groups;  ///< The product of the radices of the passes before.
-  bool backward;
-  const std::complex<float>* turns;  ///< radix - 1 for each run.
-};
-
-/// Row r of the input begins at `input + r * stride`, of the output at
-/// `output + r * kRaysPerBlock / 2`.
-void transform_pass(const TransformPass& pass, const std::complex<float>* input, std::size_t stride,
-                    std::complex<float>* output);
 
 /// The instruction set in use, such as "AVX2".
 const char* vector_target_name();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "glare/base/aligned_buffer.h"
-#include "glare/integration/vector_loops.h"
+#include "glare/integration/vector_transform.h"
 
 namespace glare {
 namespace {
