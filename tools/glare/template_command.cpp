@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -74,15 +75,18 @@ class Steps {
   ProgressCallback whole_;
 };
 
+/// Writes a task's files. An interruption is heeded until the template is in its place, and no
+/// longer: its preview then follows, so that there are both or neither.
 void write_outputs(const Task& task, GlareTemplate& glare_template,
                    const TemplateArguments& arguments, const Console& console) {
   const auto keep_going = [] { return !interrupted(); };
   glare_template.recipe = task.recipe;
   if (arguments.half) warn_of_lost_digits(task.output.file, glare_template, console);
+  const bool has_preview = !task.output.preview.empty();
+  const auto png =
+      has_preview ? encode_png_rgb8(preview(glare_template)) : std::vector<std::byte>();
   write_template(task.output.file, glare_template, {arguments.half, arguments.threads, keep_going});
-  if (!task.output.preview.empty())
-    write_file_atomically(task.output.preview, encode_png_rgb8(preview(glare_template)),
-                          keep_going);
+  if (has_preview) write_file_atomically(task.output.preview, png);
 }
 
 /// Makes the templates one after the other.
