@@ -8,6 +8,7 @@
 #include "glare/base/parallel.h"
 #include "glare/base/units.h"
 #include "glare/integration/box_interpolation.h"
+#include "glare/integration/sampling_density.h"
 #include "glare/integration/spectral_tile.h"
 #include "glare/integration/wavenumber_quadrature.h"
 
@@ -43,16 +44,10 @@ int node_count(const Tile& tile, const FarField& field, double pitch_rad,
   return static_cast<int>(std::exp2(std::ceil(std::log2(nodes) * 4) / 4));
 }
 
-/// Padding by which samples are at twice the critical rate, for `kInterpolatingKernel`.
-constexpr double kDensePadding = 4;
-
 /// The kernel for a field's samples.
 const BoxInterpolation& interpolation_for(const FarField& field) {
   static const BoxInterpolation interpolating(kInterpolatingKernel), averaging(kAveragingKernel);
-  const double padding =
-      1 / std::max(field.bin_x_per_mm * field.extent_x_mm, field.bin_y_per_mm * field.extent_y_mm);
-  constexpr double kRounding = 1e-9;
-  return padding >= kDensePadding - kRounding ? interpolating : averaging;
+  return is_densely_sampled(field) ? interpolating : averaging;
 }
 
 /// Tiles that cover the half plane dx >= 0 as far as |dx|, |dy| < `end_px`; the other half follows

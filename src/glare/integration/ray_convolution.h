@@ -61,7 +61,6 @@ class RayConvolution {
   int tile_count() const { return (result_.blocks + kBlocksPerTile - 1) / kBlocksPerTile; }
   /// Tiles may be computed at the same time.
   void compute_tile(int tile, Workspace& work) const;
-  int length() const { return transform_->length(); }
   const RayXyz& result() const { return result_; }
 
  private:

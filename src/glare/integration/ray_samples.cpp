@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "glare/integration/point_interpolation.h"
+#include "glare/integration/sampling_density.h"
 
 namespace glare {
 
@@ -70,10 +71,7 @@ RaySamples::RaySamples(const FarField& field, const RayBand& band, const LogRows
       band.ray_step * major_bin_per_mm_ / (x_major ? field.bin_y_per_mm : field.bin_x_per_mm);
   last_major_ = x_major ? field.first_kx + field.intensity_mm2.height() - 1
                         : field.first_ky + field.intensity_mm2.width() - 1;
-  constexpr double kDensePadding = 4, kRounding = 1e-9;
-  const double padding =
-      1 / std::max(field.bin_x_per_mm * field.extent_x_mm, field.bin_y_per_mm * field.extent_y_mm);
-  fine_ = band.near_axis || padding < kDensePadding - kRounding;
+  fine_ = band.near_axis || !is_densely_sampled(field);
   log_scale_ = rows.first_log_per_mm + 0.5 * rows.count * rows.step();
   set_weights();
 }

@@ -7,17 +7,15 @@
 #include "glare/base/units.h"
 #include "glare/integration/inner_pixels.h"
 #include "glare/integration/ring_pixels.h"
+#include "glare/integration/sampling_density.h"
 
 namespace glare {
 
 namespace {
 
-/// Padding by which samples are at twice the critical rate, for `kInterpolatingKernel`.
-constexpr double kPaddingToInterpolate = 4;
-
 /// The zero-padding for a pixel of that many cycles of the intensity's finest detail. Narrow pixels
 /// are interpolated and need the denser samples; wide ones average over many samples.
-double padding_for(double pixel_cycles) { return pixel_cycles < 1 ? kPaddingToInterpolate : 3; }
+double padding_for(double pixel_cycles) { return pixel_cycles < 1 ? kDensePadding : 3; }
 
 /// Throws unless the field was made for pixels as far out, at the shortest wavelength.
 void require_wide_enough(const FarField& field, const PixelGrid& grid,

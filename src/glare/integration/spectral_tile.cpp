@@ -65,14 +65,10 @@ void TileIntegrator::reduce_columns() {
 }
 
 void TileIntegrator::transpose_reduced() {
-  constexpr std::size_t block = 16;
   const std::size_t columns = column_boxes_.size();
-  const auto count = static_cast<std::size_t>(ky_count_);
-  transposed_.resize(columns * count);
-  for (std::size_t k0 = 0; k0 < count; k0 += block)
-    for (std::size_t i = 0; i < columns; ++i)
-      for (std::size_t k = k0; k < std::min(count, k0 + block); ++k)
-        transposed_[k * columns + i] = reduced_[i * count + k];
+  transposed_.resize(reduced_.size());
+  transpose(reduced_.data(), ky_count_, 1, static_cast<int>(columns), ky_count_, transposed_.data(),
+            columns);
 }
 
 void TileIntegrator::reduce_rows_and_add(const Tile& tile, const std::array<float, 3>& weights) {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstring>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "glare/base/error.h"
+#include "glare/base/parallel.h"
 
 namespace glare::openexr_io {
 
@@ -53,8 +53,7 @@ PoolUse& pool_use() {
 }  // namespace
 
 CompressionThreads::CompressionThreads(int threads) {
-  const int most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  count_ = threads > 0 ? std::min(threads, most) : most;
+  count_ = threads_used(threads);
   PoolUse& use = pool_use();
   const std::scoped_lock lock(use.mutex);
   if (use.users == 0) use.threads_before = Imf::globalThreadCount();
