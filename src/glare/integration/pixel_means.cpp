@@ -51,29 +51,29 @@ void PixelMeans::compute_tile(int index, Workspace& work, XyzImage& image) const
   store(tile, work, image);
 }
 
-void PixelMeans::add_line(const Tile& tile, int place, Workspace& work) const {
-  const int m = sub_.per_pixel;
-  const int across = std::min((place + sub_.reach) / m, band_.across_px);
-  const int minor0 = std::max(tile.minor0, -across), minor1 = std::min(tile.minor1, across + 1);
-  if (minor0 >= minor1) return;
-
+PixelMeans::RadialWeights PixelMeans::radial_weights(int place) const {
   const double log_rad = std::log(place * sub_.pitch_rad);
   const double row = (log_rad - rays_.first_log_rad) / rays_.log_step;
   const int whole = static_cast<int>(row);
   const auto taps = radial_interpolation().weights_at(row - whole);
+  RadialWeights result;
+  result.first_row = whole - WindowedSinc::kMostTaps / 2 + 1;
   // The rows' own scales are taken back one by one, so that what is constant stays so.
-  double scale = std::exp(-RaySamples::kWhitening *
-                          (rays_.first_log_rad - std::log(rays_.theta_scale_rad) +
-                           (whole - WindowedSinc::kMostTaps / 2 + 1) * rays_.log_step));
+  double scale =
+      std::exp(-RaySamples::kWhitening * (rays_.first_log_rad - std::log(rays_.theta_scale_rad) +
+                                          result.first_row * rays_.log_step));
   const double next_scale = std::exp(-RaySamples::kWhitening * rays_.log_step);
-  std::array<float, WindowedSinc::kMostTaps> weights;
-  for (std::size_t j = 0; j < weights.size(); ++j, scale *= next_scale)
-    weights[j] = static_cast<float>(taps[j] * scale);
+  for (std::size_t j = 0; j < result.weights.size(); ++j, scale *= next_scale)
+    result.weights[j] = static_cast<float>(taps[j] * scale);
+  return result;
+}
 
-  const int place0 = minor0 * m - sub_.reach,
-            count = (minor1 - 1 - minor0) * m + 2 * sub_.reach + 1;
+/// Interpolates between the rays at `place`, to the places `first` and on along the minor
+/// coordinate.
+void PixelMeans::interpolate_line(int place, int first, int count, Workspace& work) const {
+  const RadialWeights radial = radial_weights(place);
   const double rays_per_place = 1 / (place * rays_.ray_step);
-  const double first_ray = place0 * rays_per_place - rays_.first_ray;
+  const double first_ray = first * rays_per_place - rays_.first_ray;
   const double last_ray = first_ray + (count - 1) * rays_per_place;
   const int block0 = (static_cast<int>(first_ray) - kTaps / 2 + 1) / kRaysPerBlock;
   const int block1 =
@@ -84,17 +84,25 @@ void PixelMeans::add_line(const Tile& tile, int place, Workspace& work) const {
   for (int c = 0; c < 3; ++c) {
     work.rays[c].resize(static_cast<std::size_t>(blocks) * kRaysPerBlock);
     const float* const rows =
-        rays_.block(c, block0).data() +
-        static_cast<std::size_t>(whole - WindowedSinc::kMostTaps / 2 + 1) * kRaysPerBlock;
-    sum_weighted_block_rows(weights, rows, rays_.block_size(), blocks, work.rays[c].data());
+        rays_.block(c, block0).data() + static_cast<std::size_t>(radial.first_row) * kRaysPerBlock;
+    sum_weighted_block_rows(radial.weights, rows, rays_.block_size(), blocks, work.rays[c].data());
     work.places[c].resize(static_cast<std::size_t>(count));
     lines[c] = work.rays[c].data();
     values[c] = work.places[c].data();
   }
   interpolate(lines, {first_ray - block0 * kRaysPerBlock, rays_per_place, count},
               ray_interpolation(), values);
+}
 
+/// Adds what the line at `place` is of the means over a tile's pixels.
+void PixelMeans::add_line(const Tile& tile, int place, Workspace& work) const {
+  const int m = sub_.per_pixel;
+  const int across = std::min((place + sub_.reach) / m, band_.across_px);
+  const int minor0 = std::max(tile.minor0, -across), minor1 = std::min(tile.minor1, across + 1);
+  if (minor0 >= minor1) return;
   const int pixels = minor1 - minor0;
+  interpolate_line(place, minor0 * m - sub_.reach, (pixels - 1) * m + 2 * sub_.reach + 1, work);
+
   const int width = row_length(tile);
   // Pixels p with |place - p m| <= reach.
   const int major0 = std::max(tile.major0, (place - sub_.reach + m - 1) / m);

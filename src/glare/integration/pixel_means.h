@@ -1,11 +1,13 @@
 // From rays to the means over pixels. Internal.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "glare/integration/ray_band.h"
 #include "glare/integration/ray_convolution.h"
+#include "glare/integration/windowed_sinc.h"
 
 namespace glare {
 
@@ -29,6 +31,13 @@ class PixelMeans {
   struct Tile {
     int major0, major1, minor0, minor1;
   };
+  /// Of a ray's rows, for the value at one distance.
+  struct RadialWeights {
+    int first_row;
+    std::array<float, WindowedSinc::kMostTaps> weights;
+  };
+  RadialWeights radial_weights(int place) const;
+  void interpolate_line(int place, int first, int count, Workspace& work) const;
   void add_line(const Tile& tile, int place, Workspace& work) const;
   static constexpr int kLongestTile = 64;  ///< Along the major coordinate.
 
