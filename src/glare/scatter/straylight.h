@@ -47,7 +47,7 @@ double straylight_per_steradian(const Straylight& eye, double angle_deg);
 /// The share of all light that is scattered further than `beyond_deg` from the axis: the integral
 /// of S over the directions up to 90 degrees, by direction sine, 2 pi S(theta) sin(theta)
 /// cos(theta) dtheta. From 0 it is the share s that a template takes from the diffracted light,
-/// 0.43 for the youngest eye to 0.98 for the oldest and palest. Throws as
+/// 0.44 for the youngest eye to 0.98 for the oldest and palest. Throws as
 /// `straylight_per_steradian`.
 double scattered_energy(const Straylight& eye, double beyond_deg = 0);
 
