@@ -175,11 +175,13 @@ void add_eye_options(CLI::App& command, std::optional<double>& age_years,
                      std::optional<double>& pigment) {
   const Straylight usual;
   command.add_option("--age", age_years, "The scattering eye's age in years, 0 to 100")
+      ->check(not_empty())
       ->default_str(CLI::detail::to_string(usual.age_years));
   command
       .add_option("--pigment", pigment,
                   "The scattering eye's pigment: 0 very dark, 0.5 brown, 1 blue-green, 1.2 light "
                   "blue")
+      ->check(not_empty())
       ->default_str(CLI::detail::to_string(usual.pigment));
 }
 
