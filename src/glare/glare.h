@@ -13,6 +13,7 @@
 #include "glare/diffraction/far_field.h"
 #include "glare/diffraction/transform_plans.h"
 #include "glare/integration/spectral_integral.h"
+#include "glare/scatter/straylight.h"
 #include "glare/spectrum/lamps.h"
 #include "glare/spectrum/observer.h"
 #include "glare/spectrum/spectrum.h"

@@ -90,6 +90,15 @@ void add_aperture_options(CLI::App& command, TemplateArguments& a) {
   }
 }
 
+void add_scatter_options(CLI::App& command, TemplateArguments& a) {
+  command
+      .add_option("--scatter", a.scatter,
+                  "Add what the eye's media scatter; cie: after CIE 146:2002, the general equation")
+      ->check(CLI::IsMember({"none", "cie"}))
+      ->capture_default_str();
+  add_eye_options(command, a.age_years, a.pigment);
+}
+
 void add_light_options(CLI::App& command, TemplateArguments& a) {
   command
       .add_option("--lamp", a.lamps,
@@ -157,11 +166,37 @@ void add_output_options(CLI::App& command, TemplateArguments& a) {
 void add_template_options(CLI::App& command, TemplateArguments& arguments) {
   add_output_options(command, arguments);
   add_aperture_options(command, arguments);
+  add_scatter_options(command, arguments);
   add_light_options(command, arguments);
   add_picture_options(command, arguments);
 }
 
+void add_eye_options(CLI::App& command, std::optional<double>& age_years,
+                     std::optional<double>& pigment) {
+  const Straylight usual;
+  command.add_option("--age", age_years, "The scattering eye's age in years, 0 to 100")
+      ->check(not_empty())
+      ->default_str(CLI::detail::to_string(usual.age_years));
+  command
+      .add_option("--pigment", pigment,
+                  "The scattering eye's pigment: 0 very dark, 0.5 brown, 1 blue-green, 1.2 light "
+                  "blue")
+      ->check(not_empty())
+      ->default_str(CLI::detail::to_string(usual.pigment));
+}
+
+Straylight eye_of(const std::optional<double>& age_years, const std::optional<double>& pigment,
+                  const Straylight& otherwise) {
+  const Straylight eye{age_years.value_or(otherwise.age_years),
+                       pigment.value_or(otherwise.pigment)};
+  require_valid(eye);
+  return eye;
+}
+
 void require_consistent(const TemplateArguments& arguments) {
+  if (arguments.scatter == "none" && (arguments.age_years || arguments.pigment))
+    throw OptionError(std::string(arguments.age_years ? "--age" : "--pigment") +
+                      " goes with --scatter cie");
   if (arguments.has_images() && !arguments.width_mm)
     throw OptionError("--width-mm is missing: the physical width of the aperture images");
   if (!arguments.has_images() && arguments.width_mm)
@@ -177,6 +212,7 @@ TemplateOptions template_options(const TemplateArguments& arguments) {
   options.wavelength_range_nm = {arguments.wavelength_range_nm[0],
                                  arguments.wavelength_range_nm[1]};
   options.color_space = find_color_space(arguments.color_space, user_color_config(arguments));
+  if (arguments.scatter == "cie") options.scatter = eye_of(arguments.age_years, arguments.pigment);
   options.white = arguments.white == "lamp" ? WhiteAdaptation::lamp : WhiteAdaptation::none;
   options.gamut = arguments.gamut == "desaturate" ? GamutMapping::desaturate : GamutMapping::keep;
   options.normalization = normalization_from(arguments.normalize);

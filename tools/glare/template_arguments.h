@@ -24,6 +24,8 @@ struct TemplateArguments {
   std::optional<double> width_mm;
   double pupil_diameter_mm = EyeParameters{}.pupil_diameter_mm;
   std::uint64_t seed = EyeParameters{}.seed;
+  std::string scatter = "none";
+  std::optional<double> age_years, pigment;  ///< Not given: those of `Straylight{}`.
   std::vector<std::string> lamps = {"D65"};
   std::string observer = TemplateOptions{}.observer;
   std::vector<double> wavelength_range_nm = {TemplateOptions{}.wavelength_range_nm.lo_nm,
@@ -46,6 +48,14 @@ struct TemplateArguments {
 
 /// Adds the options to the subcommand; `arguments` are set when it is parsed, and outlive it.
 void add_template_options(CLI::App& command, TemplateArguments& arguments);
+
+/// Adds `--age` and `--pigment` of the eye that scatters.
+void add_eye_options(CLI::App& command, std::optional<double>& age_years,
+                     std::optional<double>& pigment);
+
+/// The eye they mean; what isn't given is as in `otherwise`. Throws `OptionError`.
+Straylight eye_of(const std::optional<double>& age_years, const std::optional<double>& pigment,
+                  const Straylight& otherwise = {});
 
 /// Throws `OptionError` where options contradict one another.
 void require_consistent(const TemplateArguments& arguments);

@@ -44,6 +44,12 @@ std::vector<RecipeOption> recipe_options(const TemplateArguments& a, const Named
     options.push_back({"--pupil-mm", {text_of(a.pupil_diameter_mm)}, {}});
     options.push_back({"--seed", {std::to_string(a.seed)}, {}});
   }
+  if (a.scatter == "cie") {
+    const Straylight eye = eye_of(a.age_years, a.pigment);
+    options.push_back({"--scatter", {a.scatter}, {}});
+    options.push_back({"--age", {text_of(eye.age_years)}, {}});
+    options.push_back({"--pigment", {text_of(eye.pigment)}, {}});
+  }
   // A file that is named like a built-in lamp is told from it by its folder.
   const bool ambiguous = !lamp.file.empty() && find_lamp(lamp.name).has_value();
   options.push_back({"--lamp", {(ambiguous ? "./" : "") + lamp.name}, lamp.file});

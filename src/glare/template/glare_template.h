@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "glare/base/image.h"
 #include "glare/color/color_space.h"
+#include "glare/scatter/straylight.h"
 #include "glare/spectrum/spectrum.h"
 
 namespace glare {
@@ -38,6 +40,9 @@ struct GlareTemplate {
   WavelengthRange wavelength_range_nm;
   double aperture_width_mm = 0;
   double aperture_area_mm2 = 0;  ///< The integral of t^2.
+
+  std::optional<Straylight> scatter;  ///< The eye whose straylight is in it, if any is.
+  double scattered_energy = 0;        ///< Share of all the light, 0 to 1, that is straylight.
 
   std::string recipe;    ///< How to make it again: every option, and each input's SHA-256.
   std::string software;  ///< Name and version of the program that made it.

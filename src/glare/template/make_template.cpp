@@ -10,6 +10,7 @@
 #include "glare/base/parallel.h"
 #include "glare/base/units.h"
 #include "glare/color/gamut.h"
+#include "glare/scatter/straylight_pixels.h"
 #include "glare/spectrum/observer.h"
 
 namespace glare {
@@ -173,6 +174,7 @@ double widest_field_of_view_deg(double pixel_mm, double shortest_nm, const Pixel
 void require_far_field_possible(const Aperture& aperture, const TemplateOptions& options,
                                 const WavelengthRange& range) {
   require_valid(aperture);
+  if (options.scatter) require_valid(*options.scatter);
   require_within_reach(aperture.pixel_mm(), aperture.width_mm, pixel_grid(options),
                        options.field_of_view_deg, range.lo_nm);
   require_memory(open_size(aperture), options, range);
@@ -200,18 +202,26 @@ bool same_far_field(const FarField& field, const TemplateOptions& options,
 
 GlareTemplate make_template(const FarField& field, const Spectrum& lamp,
                             const TemplateOptions& options, const std::string& lamp_name) {
+  constexpr double kShareOfIntegral = 0.9;
   const auto& observer = color_matching_functions(options.observer);
   const PixelGrid grid = pixel_grid(options);
   const WavelengthRange range = effective_range(lamp, options);
+  if (options.scatter) require_valid(*options.scatter);
+  const double integral_end = options.scatter ? kShareOfIntegral : 1;
 
   GlareTemplate result;
-  result.channels =
-      spectral_integral(field, grid, lamp, observer, range, options.threads, options.progress);
+  result.channels = spectral_integral(field, grid, lamp, observer, range, options.threads,
+                                      progress_part(options.progress, 0, integral_end));
+  result.lamp_xyz = xyz_from_spectrum(lamp, observer, range);
+  result.scatter = options.scatter;
+  if (options.scatter)
+    result.scattered_energy =
+        add_straylight(*options.scatter, grid, result.lamp_xyz, options.threads,
+                       progress_part(options.progress, integral_end, 1), result.channels);
   result.color_space = options.color_space;
   result.pixel_pitch_rad = grid.pitch_rad;
   result.normalization = options.normalization;
   result.captured_energy = sum_of(result.channels[1]) * grid.pitch_rad * grid.pitch_rad;
-  result.lamp_xyz = xyz_from_spectrum(lamp, observer, range);
   result.lamp = lamp_name;
   result.observer = observer.name;
   result.wavelength_range_nm = range;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "glare/color/color_space.h"
 #include "glare/diffraction/far_field.h"
 #include "glare/integration/spectral_integral.h"
+#include "glare/scatter/straylight.h"
 #include "glare/spectrum/spectrum.h"
 #include "glare/template/glare_template.h"
 
@@ -33,6 +35,9 @@ struct TemplateOptions {
   double field_of_view_deg = 5;  ///< Across the width, in direction sine; 1e-6 to 114.
   std::string observer = "cie1931-2deg";
   WavelengthRange wavelength_range_nm = {380, 780};
+  /// The eye whose straylight is added; none: diffraction alone. With it a template is
+  /// (1 - s) diffraction + S, per steradian: S in the lamp's colour, and s its share of the light.
+  std::optional<Straylight> scatter;
   RgbColorSpace color_space = lin_rec709_color_space();
   WhiteAdaptation white = WhiteAdaptation::none;
   Normalization normalization = Normalization::peak;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "glare/base/units.h"
+#include "glare/scatter/straylight_pixels.h"
 
 namespace glare {
 
@@ -46,6 +47,30 @@ std::vector<double> ring_radii_px(double last_px) {
   return radii;
 }
 
+/// The number of the ring with a radius in it; that of the rings where it is beyond them.
+std::size_t ring_of(double radius_px, const std::vector<double>& radii) {
+  return static_cast<std::size_t>(std::lower_bound(radii.begin(), radii.end(), radius_px) -
+                                  radii.begin());
+}
+
+/// The general equation's mean over the pixels of the ring between two radii. The pixels of one
+/// quadrant are enough: the rings lie within the picture, and have their mirror images in it.
+double cie_ring_mean(const GlareTemplate& t, const Straylight& eye, double inner_px,
+                     double outer_px) {
+  const double pitch = t.pixel_pitch_rad;
+  double sum = 0, count = 0;
+  for (int y = 0; y <= outer_px; ++y) {
+    const double least = std::sqrt(std::max(0.0, inner_px * inner_px - 1.0 * y * y));
+    for (int x = static_cast<int>(least); std::hypot(x, y) <= outer_px; ++x) {
+      if (std::hypot(x, y) <= inner_px) continue;
+      const double times = (x == 0 ? 1 : 2) * (y == 0 ? 1 : 2);
+      sum += times * cie_pixel_mean(eye, x * pitch, y * pitch, pitch);
+      count += times;
+    }
+  }
+  return sum / count;
+}
+
 }  // namespace
 
 std::vector<ProfileRing> radial_profile(const GlareTemplate& t) {
@@ -54,9 +79,8 @@ std::vector<ProfileRing> radial_profile(const GlareTemplate& t) {
   std::vector<int> count(radii.size(), 0);
   for (int y = 0; y < t.height(); ++y)
     for (int x = 0; x < t.width(); ++x) {
-      const auto ring = std::lower_bound(radii.begin(), radii.end(), radius_px(t, x, y));
-      if (ring == radii.end()) continue;
-      const auto i = static_cast<std::size_t>(ring - radii.begin());
+      const std::size_t i = ring_of(radius_px(t, x, y), radii);
+      if (i == radii.size()) continue;
       sum[i] += t.luminance(x, y);
       ++count[i];
     }
@@ -66,6 +90,22 @@ std::vector<ProfileRing> radial_profile(const GlareTemplate& t) {
       rings.push_back({(i ? radii[i - 1] : 0) * t.pixel_pitch_deg(), radii[i] * t.pixel_pitch_deg(),
                        sum[i] / count[i] * t.per_steradian});
   return rings;
+}
+
+std::vector<std::optional<double>> cie_profile(const GlareTemplate& t,
+                                               const std::vector<ProfileRing>& rings,
+                                               const Straylight& eye) {
+  require_valid(eye);
+  std::vector<std::optional<double>> means;
+  for (const ProfileRing& ring : rings) {
+    const double inner_rad = ring.inner_deg * kRadPerDeg, outer_rad = ring.outer_deg * kRadPerDeg;
+    const bool within = inner_rad >= std::sin(kSmallestCieAngle_deg * kRadPerDeg) && outer_rad <= 1;
+    means.emplace_back();
+    if (within)
+      means.back() =
+          cie_ring_mean(t, eye, inner_rad / t.pixel_pitch_rad, outer_rad / t.pixel_pitch_rad);
+  }
+  return means;
 }
 
 std::optional<double> encircled_energy(const GlareTemplate& t, double radius_deg) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glare/color/color_space.h"
+#include "glare/scatter/straylight.h"
 #include "glare/template/glare_template.h"
 
 namespace glare {
@@ -21,6 +22,14 @@ struct ProfileRing {
 /// the one within it, and none but the innermost, the axis' own pixel, narrower than a pixel.
 /// Angles are direction sines in degrees; a pixel belongs to the ring that its centre is in.
 std::vector<ProfileRing> radial_profile(const GlareTemplate& glare_template);
+
+/// The CIE general equation (`cie_general_glare`), per steradian, averaged as the template is in
+/// each of `rings`, its radial profile: over the squares of the same pixels. Nothing for rings that
+/// begin below the equation's 0.1 degrees or end beyond 90. Throws `OptionError` for an eye out of
+/// range.
+std::vector<std::optional<double>> cie_profile(const GlareTemplate& glare_template,
+                                               const std::vector<ProfileRing>& rings,
+                                               const Straylight& eye);
 
 /// Share of all the light that falls within `radius_deg` of the axis, 0 to 1; pixels on the circle
 /// count by the share of their area inside. Nothing where the circle isn't wholly inside the

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "glare/base/error.h"
 #include "glare/io/template_file.h"
@@ -125,6 +126,28 @@ TEST_F(TemplateFileRefusal, ImpossibleValues) {
   EXPECT_THAT(refusal_after(center + value(20.0f).substr(4), center + value(19.5f).substr(4)),
               HasSubstr("glare:center_px"));
   EXPECT_THAT(refusal_after("peak", "pork"), HasSubstr("pork"));
+}
+
+TEST_F(TemplateFileRefusal, StraylightThatIsNotWholeOrImpossible) {
+  GlareTemplate t = sample();
+  t.scatter = Straylight{24, 0.5};
+  t.scattered_energy = 0.75;
+  write_template(path_, t);
+  bytes_ = test::file_text(path_);
+  EXPECT_THAT(refusal_after("cie146", "cie147"), HasSubstr("cie147"));
+  const std::pair<std::string, float> numbers[] = {{"glare:scatterAge_years", 24.0f},
+                                                   {"glare:scatterPigment", 0.5f},
+                                                   {"glare:scatteredEnergy", 0.75f}};
+  for (const auto& [name, number] : numbers) {
+    std::string other = name;
+    other[1] = 'X';
+    EXPECT_THAT(refusal_after(entry(name, "float"), entry(other, "float")), HasSubstr(name));
+    for (const float bad : {-0.5f, 100.5f, HUGE_VALF, std::nanf("")})
+      EXPECT_THAT(
+          refusal_after(entry(name, "float") + value(number), entry(name, "float") + value(bad)),
+          HasSubstr(name))
+          << bad;
+  }
 }
 
 TEST_F(TemplateFileRefusal, AMissingChannelIsNamed) {

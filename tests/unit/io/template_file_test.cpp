@@ -91,6 +91,24 @@ TEST(TemplateFile, EveryFieldComesBack) {
                   t.color_space.rgb_from_xyz()[row][column], 1e-6);  // Through chromaticities.
 }
 
+TEST(TemplateFile, StraylightComesBackAndIsWrittenOnlyWhereThereIsAny) {
+  const test::ScratchFolder folder;
+  GlareTemplate t = sample();
+  write_template(folder / "t.exr", t);
+  EXPECT_FALSE(read_template(folder / "t.exr").scatter.has_value());
+  for (const HeaderAttribute& a : read_header(folder / "t.exr"))
+    EXPECT_FALSE(a.name.starts_with("glare:scatter")) << a.name;
+  t.scattered_energy = 0.625;
+  // 1.2 isn't a 32-bit float; the limit is kept all the same.
+  for (const Straylight eye : {Straylight{0, 0}, Straylight{24, 0.5}, Straylight{100, 1.2}}) {
+    t.scatter = eye;
+    write_template(folder / "t.exr", t);
+    const GlareTemplate back = read_template(folder / "t.exr");
+    EXPECT_EQ(back.scatter, eye);
+    EXPECT_EQ(back.scattered_energy, 0.625);
+  }
+}
+
 TEST(TemplateFile, XyzComesBackExactly) {
   const test::ScratchFolder folder;
   GlareTemplate t = sample();

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "glare/base/error.h"
 #include "glare/spectrum/lamps.h"
 #include "glare/spectrum/observer.h"
 #include "glare/template/profile.h"
@@ -116,6 +118,45 @@ TEST(MakeTemplate, DesaturationLeavesNoNegativeChannelAndEveryLuminance) {
       }
     }
   EXPECT_TRUE(outside) << "the lamp is no test";
+}
+
+TEST(MakeTemplate, WithScatterItIsLessDiffractionAndStraylightInTheLampsColor) {
+  auto options = test::absolute_xyz(33, 21, 1e-4);
+  const GlareTemplate plain = made(options);
+  options.scatter = Straylight{70, 1};
+  const GlareTemplate whole = made(options);
+  EXPECT_EQ(whole.scatter, options.scatter);
+  EXPECT_EQ(whole.scattered_energy, scattered_energy({70, 1}));
+  EXPECT_FALSE(plain.scatter.has_value());
+  EXPECT_EQ(plain.scattered_energy, 0);
+  for (const auto& [x, y] : {std::pair{16, 10}, {0, 0}, {30, 12}}) {
+    const double angle_deg = std::asin(std::hypot(x - 16, y - 10) * 1e-4) * 180 / std::numbers::pi;
+    const double s = straylight_per_steradian({70, 1}, angle_deg);
+    for (std::size_t k = 0; k < 3; ++k)  // A point for a pixel's mean: S's bend over 1e-4.
+      EXPECT_NEAR(whole.channels[k](x, y),
+                  (1 - whole.scattered_energy) * plain.channels[k](x, y) + plain.lamp_xyz[k] * s,
+                  2e-3 * plain.lamp_xyz[k] * s + 1e-6 * plain.channels[k](x, y));
+  }
+}
+
+TEST(MakeTemplate, ScatterOutOfRangeIsRefusedInOneStepAndTwo) {
+  auto options = small();
+  const FarField field = template_far_field(pupil(), options, effective_range(lamp(), options));
+  options.scatter = Straylight{101, 0.5};
+  EXPECT_THROW(made(options), OptionError);
+  EXPECT_THROW(make_template(field, lamp(), options), OptionError);
+  options.scatter = Straylight{30, -0.5};
+  EXPECT_THROW(template_far_field(pupil(), options, effective_range(lamp(), options)), OptionError);
+}
+
+TEST(MakeTemplate, InTwoStepsScatterIsTheSame) {
+  auto options = small();
+  options.scatter = Straylight{24, 0.5};
+  const GlareTemplate one = made(options);
+  const FarField field = template_far_field(pupil(), options, effective_range(lamp(), options));
+  const GlareTemplate two = make_template(field, lamp(), options);
+  for (std::size_t i = 0; i < 33 * 21; ++i)
+    ASSERT_EQ(one.channels[1].values()[i], two.channels[1].values()[i]);
 }
 
 }  // namespace

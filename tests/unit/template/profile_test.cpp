@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "glare/base/error.h"
 #include "support/templates.h"
 
 namespace glare {
@@ -103,6 +104,26 @@ TEST(MeanChromaticity, IsThatOfTheSum) {
   t.color_space = xyz_color_space();
   t.channels[1] = t.channels[0];
   EXPECT_NEAR(mean_chromaticity(t).x, 0.5, 1e-12);
+}
+
+TEST(Profile, TheCieCurveIsTheEquationsMeanOverTheSamePixels) {
+  const Straylight eye{24, 0.5};
+  for (const int size : {101, 100}) {
+    const GlareTemplate t = grey(size, size, [&](int x, int y) {
+      const double sine = std::hypot(x - size / 2, y - size / 2) * kPitch_rad;
+      return sine == 0 ? 0 : cie_general_glare(std::asin(sine) / kPi * 180, 24, 0.5) / 250;
+    });
+    const auto rings = radial_profile(t);
+    const auto cie = cie_profile(t, rings, eye);
+    ASSERT_EQ(cie.size(), rings.size());
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      EXPECT_EQ(cie[i].has_value(), rings[i].inner_deg > 0.09999) << i;
+      if (cie[i]) {  // Points for pixel means: 3/8 (pitch / angle)^2 below, at 0.1 degrees 0.4 %.
+        EXPECT_NEAR(rings[i].mean_per_steradian / *cie[i], 1, 4e-3) << rings[i].inner_deg;
+      }
+    }
+  }
+  EXPECT_THROW(cie_profile(grey(9, 9, [](int, int) { return 1; }), {}, {150, 0.5}), OptionError);
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfVecAttribute.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "glare/base/error.h"
 #include "glare/base/units.h"
@@ -18,6 +20,7 @@ namespace glare::openexr_io {
 namespace {
 
 constexpr int kFormatVersion = 1;
+constexpr const char* kCieScatter = "cie146";
 
 // To the file.
 
@@ -36,6 +39,13 @@ void insert_float(Imf::Header& header, const char* name, double value) {
 
 void insert_string(Imf::Header& header, const char* name, const std::string& value) {
   header.insert(name, Imf::StringAttribute(value));
+}
+
+void insert_scatter(Imf::Header& header, const Straylight& eye, double scattered_energy) {
+  insert_string(header, "glare:scatter", kCieScatter);
+  insert_float(header, "glare:scatterAge_years", eye.age_years);
+  insert_float(header, "glare:scatterPigment", eye.pigment);
+  insert_float(header, "glare:scatteredEnergy", scattered_energy);
 }
 
 void insert_attributes(Imf::Header& header, const GlareTemplate& t) {
@@ -57,11 +67,18 @@ void insert_attributes(Imf::Header& header, const GlareTemplate& t) {
       Imf::V2fAttribute(vector_of(t.wavelength_range_nm.lo_nm, t.wavelength_range_nm.hi_nm)));
   insert_float(header, "glare:apertureWidth_mm", t.aperture_width_mm);
   insert_float(header, "glare:apertureArea_mm2", t.aperture_area_mm2);
+  if (t.scatter) insert_scatter(header, *t.scatter, t.scattered_energy);
   insert_string(header, "glare:recipe", t.recipe);
   insert_string(header, "glare:software", t.software);
 }
 
 // From the file.
+
+std::string text_of(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
+}
 
 /// Reads typed attributes from a header; a missing one, or one of another type, is an error.
 class AttributeReader {
@@ -89,6 +106,15 @@ class AttributeReader {
     if (!(positive > 0)) fail("the attribute " + name + " isn't positive");
     return positive;
   }
+  /// Within limits, as far as 32-bit floats can tell.
+  double number(const std::string& name, double least, double largest) const {
+    const double number = this->number(name);
+    if (number < static_cast<float>(least) || number > static_cast<float>(largest))
+      fail("the attribute " + name + " isn't between " + text_of(least) + " and " +
+           text_of(largest));
+    return std::clamp(number, least, largest);
+  }
+  bool has(const std::string& name) const { return header_.find(name) != header_.end(); }
   const std::string& text(const std::string& name) const {
     return value<Imf::StringAttribute>(name);
   }
@@ -112,6 +138,16 @@ RgbColorSpace color_space_of(const AttributeReader& reader) {
   }
 }
 
+/// A template without straylight has none of these attributes.
+void read_scatter(const AttributeReader& reader, GlareTemplate& t) {
+  if (!reader.has("glare:scatter")) return;
+  if (const std::string& name = reader.text("glare:scatter"); name != kCieScatter)
+    reader.fail("has glare:scatter '" + name + "'; this program reads cie146");
+  t.scatter = Straylight{reader.number("glare:scatterAge_years", 0, kOldestStraylight_years),
+                         reader.number("glare:scatterPigment", 0, kPalestStraylight)};
+  t.scattered_energy = reader.number("glare:scatteredEnergy", 0, 1);
+}
+
 void read_attributes(const AttributeReader& reader, GlareTemplate& t) {
   if (const int version = reader.value<Imf::IntAttribute>("glare:formatVersion");
       version != kFormatVersion)
@@ -130,6 +166,7 @@ void read_attributes(const AttributeReader& reader, GlareTemplate& t) {
   t.wavelength_range_nm = {range.x, range.y};
   t.aperture_width_mm = reader.positive("glare:apertureWidth_mm");
   t.aperture_area_mm2 = reader.positive("glare:apertureArea_mm2");
+  read_scatter(reader, t);
   t.recipe = reader.text("glare:recipe");
   t.software = reader.text("glare:software");
 }
