@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <span>
 
+#include "glare/aperture/band_limit.h"
+#include "glare/aperture/eye/eye_drawing.h"
 #include "glare/base/error.h"
 #include "glare/base/units.h"
 
@@ -12,14 +16,18 @@ namespace glare {
 namespace {
 
 constexpr double kCoarsest_mm = 0.008;
+constexpr int kWidest = 65536;
+/// How much finer than the field needs: its rim is then at 0.385 cycles per pixel, within
+/// `BandLimit::kPassed` with the far field's margin for interpolation.
+constexpr double kFiner = 1.3;
 
-/// Half of the pixel with which an aperture reaches a field of view of that width, and back: with a
-/// pixel of p it reaches lambda / p.
-double half_pixel_for(double field_rad, const WavelengthRange& range) {
-  return range.lo_nm * kMmPerNm / field_rad / 2;
+/// The pixel with which the eye is sampled for a field of view of that width, and back: with a
+/// pixel of p an aperture reaches lambda / p.
+double pixel_for(double field_rad, const WavelengthRange& range) {
+  return range.lo_nm * kMmPerNm / field_rad / kFiner;
 }
-double field_of_half_pixel_rad(double half_pixel_mm, const WavelengthRange& range) {
-  return range.lo_nm * kMmPerNm / half_pixel_mm / 2;
+double field_of_pixel_rad(double pixel_mm, const WavelengthRange& range) {
+  return range.lo_nm * kMmPerNm / pixel_mm / kFiner;
 }
 
 [[noreturn]] void throw_too_wide(double widest_rad, const PixelGrid& grid) {
@@ -38,20 +46,28 @@ ApertureSize template_eye_size(const EyeParameters& parameters, const TemplateOp
   require_valid(parameters);
   const PixelGrid grid = pixel_grid(options);
   const double field_rad = grid.pitch_rad * std::max(grid.width, grid.height);
-  const double pixel_mm = std::min(kCoarsest_mm, half_pixel_for(field_rad, range));
-  const double finest_mm = finest_eye_pixel_mm(parameters);
-  if (pixel_mm < finest_mm) throw_too_wide(field_of_half_pixel_rad(finest_mm, range), grid);
+  const double pixel_mm = std::min(kCoarsest_mm, pixel_for(field_rad, range));
+  const double width_mm = eye_picture_width_mm(parameters);
+  const double finest_mm = width_mm / kWidest;
+  if (pixel_mm < finest_mm) throw_too_wide(field_of_pixel_rad(finest_mm, range), grid);
 
-  const int width = static_cast<int>(std::ceil(eye_picture_width_mm(parameters) / pixel_mm));
-  const ApertureSize size{width, width, pixel_mm};
+  const int width = static_cast<int>(std::ceil(width_mm / pixel_mm));
+  const ApertureSize size{width, width, width_mm / width};
   require_memory(size, options, range);
   return size;
 }
 
 Aperture draw_template_eye(const EyeParameters& parameters, const TemplateOptions& options,
                            const WavelengthRange& range) {
-  return draw_eye(parameters, template_eye_size(parameters, options, range).pixel_mm,
-                  options.threads, options.progress);
+  const int size = template_eye_size(parameters, options, range).width;
+  const EyeDrawing drawing(parameters);
+  const auto rows = [&drawing, size]() -> FineRows {
+    const auto coverage = std::make_shared<RowCoverage>(BandLimit::kFineSamples * size);
+    return [&drawing, coverage](const Grid& grid, int y, std::span<float> row) {
+      return drawing.draw_row(grid, y, *coverage, row);
+    };
+  };
+  return band_limited(size, drawing.width_mm(), rows, options.threads, options.progress);
 }
 
 }  // namespace glare
