@@ -13,7 +13,7 @@ namespace glare {
 namespace {
 
 constexpr int kFine = BandLimit::kFineSamples;
-constexpr int kTaps = 76;  ///< A multiple of `kFine`; by Kaiser's rule for the ripple.
+constexpr int kTaps = 80;  ///< A multiple of `kFine`; by Kaiser's rule for the ripple.
 /// Fine samples before a pixel's first one that its filter takes.
 constexpr int kBefore = (kTaps - kFine) / 2;
 constexpr int kRowsPerTask = 128;
@@ -32,7 +32,7 @@ double bessel_i0(double x) {
 
 /// Kaiser's window at `x`, -1 to 1.
 double kaiser(double x) {
-  constexpr double attenuation_db = 61;
+  constexpr double attenuation_db = 63;
   constexpr double beta = 0.1102 * (attenuation_db - 8.7);
   return bessel_i0(beta * std::sqrt(std::max(0.0, 1 - x * x))) / bessel_i0(beta);
 }

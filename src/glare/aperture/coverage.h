@@ -71,8 +71,9 @@ class RowCoverage {
  private:
   template <typename Paint>
   static void paint_run(int first, int last, double share, Paint&& paint) {
-    const float value = static_cast<float>(std::clamp(share, 0.0, 1.0));
-    if (first < last && value > 0) paint(first, last, value);
+    constexpr double rounding = 1e-12;  // What the running sum leaves behind a shape.
+    if (first >= last || share < rounding) return;
+    paint(first, last, static_cast<float>(std::min(share, 1.0)));
   }
   void add_piece(int column, double x0, double x1, double gain);
   void merge_touched();

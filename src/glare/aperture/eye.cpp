@@ -79,7 +79,7 @@ void require_valid(const EyeParameters& p) {
   require_valid(p.eyelids);
   require_valid(p.upper_lashes, "upper");
   require_valid(p.lower_lashes, "lower");
-  constexpr double most_hippus = 0.05;  // Of the diameter.
+  constexpr double most_hippus = 0.1;  // Of the diameter.
   require_in_range("motion hippus_mm", p.motion.hippus_mm, 0, most_hippus * p.pupil.diameter_mm);
   require_in_range("motion blinks_per_minute", p.motion.blinks_per_minute, 0, 40);
   require_in_range("time_s", p.time_s, 0, 1e6);

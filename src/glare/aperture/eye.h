@@ -68,7 +68,7 @@ struct EyelashParameters {
 
 /// What moves as time goes on. At time 0 the pupil has its own diameter and the lids are open.
 struct MotionParameters {
-  /// Root mean square of the change of the pupil's diameter (hippus), 0 to 5 % of it.
+  /// Root mean square of the change of the pupil's diameter (hippus), 0 to 10 % of it.
   double hippus_mm = 0.08;
   /// 0 to 40; 0 is an eye that doesn't blink. At rest some 17 (Bentivoglio and others, Movement
   /// Disorders 12, 1997).

@@ -26,7 +26,7 @@ double unrest(std::uint64_t seed, double time_s) {
     sum += sign * weight * std::sin(2 * std::numbers::pi * frequency_hz * time_s);
     power += weight * weight / 2;
   }
-  return kMostUnrest * std::tanh(sum / std::sqrt(power) / kMostUnrest);
+  return limited(sum / std::sqrt(power), kMostUnrest);
 }
 
 /// From 0 to 1, with no speed at both ends.

@@ -40,8 +40,7 @@ struct Waves {
       sum += amplitude.real() * power.real() - amplitude.imag() * power.imag();
       power *= turn;
     }
-    const double most = 3 * rms_mm;
-    return most * std::tanh(sum / most);
+    return limited(sum, 3 * rms_mm);
   }
 };
 

@@ -1,6 +1,7 @@
 // The built-in eye's chance: the same on every machine. Internal.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace glare {
@@ -33,6 +34,11 @@ class Random {
 
   std::uint64_t state_;
 };
+
+/// `value` smoothly kept within +-`most`; up to two thirds of that it changes by 1.4 % at most.
+inline double limited(double value, double most) {
+  return value / std::pow(1 + std::pow(value / most, 6), 1.0 / 6);
+}
 
 /// The parts of an eye that have a stream of their own.
 enum class EyePart : std::uint64_t { pupil = 1, hippus, blinks, upper_lashes, lower_lashes };
