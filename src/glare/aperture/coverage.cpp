@@ -42,6 +42,8 @@ double half_plane_share(double depth, Point normal) {
 
 }  // namespace
 
+double disc_area_in_quadrant(double x, double y, double r) { return quadrant_area(x, y, r); }
+
 Columns draw_pupil_row(const Grid& grid, int y, double r, std::span<float> row) {
   const double top = grid.edge(y), bottom = grid.edge(y + 1);
   const double nearest = top <= 0 && bottom >= 0 ? 0 : std::min(std::abs(top), std::abs(bottom));

@@ -36,6 +36,10 @@ struct Grid {
 /// stay as they are. The share of a square inside the circle is exact.
 Columns draw_pupil_row(const Grid& grid, int y, double r, std::span<float> row);
 
+/// Area of the disc of radius `r` around the origin inside the rectangle from the origin to the
+/// corner (x, y), negative where just one of x and y is.
+double disc_area_in_quadrant(double x, double y, double r);
+
 /// A short straight piece of a lash: a capsule whose radius changes from end to end.
 class Segment {
  public:
