@@ -81,10 +81,12 @@ void LensLayer::draw_fibre_row(const Grid& grid, int y, Columns open, std::span<
     return std::sqrt(std::max(r * r - centre * centre, 0.0));
   };
   const double outer = half_chord(rings_.back().outer), inner = half_chord(rings_.front().inner);
+  int drawn = open.first;  // Where the two sides meet, they have a column in common.
   for (const Columns side : {grid.touching(-outer, -inner), grid.touching(inner, outer)}) {
-    const Columns columns = both(side, open);
+    const Columns columns = both(side, {drawn, open.last});
     for (int x = columns.first; x < columns.last; x += part)
       draw_fibres(grid, centre, {x, std::min(x + part, columns.last)}, row);
+    drawn = std::max(drawn, columns.last);
   }
 }
 
