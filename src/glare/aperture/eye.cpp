@@ -79,6 +79,8 @@ void require_valid(const EyeParameters& p) {
   require_valid(p.eyelids);
   require_valid(p.upper_lashes, "upper");
   require_valid(p.lower_lashes, "lower");
+  require_valid(p.particles);
+  require_valid(p.lens);
   constexpr double most_hippus = 0.1;  // Of the diameter.
   require_in_range("motion hippus_mm", p.motion.hippus_mm, 0, most_hippus * p.pupil.diameter_mm);
   require_in_range("motion blinks_per_minute", p.motion.blinks_per_minute, 0, 40);

@@ -1,10 +1,12 @@
-// The built-in eye: pupil, eyelids and eyelashes after anatomy, drawn rather than photographed, so
-// that it can be had at any resolution and at any time.
+// The built-in eye: pupil, lids, lashes and what is inside the eye, after anatomy; drawn rather
+// than photographed, so that it can be had at any resolution and at any time.
 #pragma once
 
 #include <cstdint>
 
 #include "glare/aperture/aperture.h"
+#include "glare/aperture/eye/crystalline_lens.h"
+#include "glare/aperture/eye/particles.h"
 #include "glare/base/progress.h"
 
 namespace glare {
@@ -81,6 +83,8 @@ struct EyeParameters {
   EyelidParameters eyelids;
   EyelashParameters upper_lashes = EyelashParameters::upper();
   EyelashParameters lower_lashes = EyelashParameters::lower();
+  ParticleParameters particles;
+  LensParameters lens;
   MotionParameters motion;
   /// Picks one eye among all; any value. The same seed is the same eye on every machine.
   std::uint64_t seed = 1;
@@ -97,8 +101,9 @@ void require_valid(const EyeParameters& parameters);
 ///
 /// Pupil, lids and lashes are sharp-edged shapes drawn by area: a pixel is the share of its square
 /// that is inside the pupil (exact) times, for each lid and lash, the share that is outside it
-/// (exact). So there are no stair steps to diffract, and the same eye appears at every resolution:
-/// averaging 2 x 2 pixels gives the picture at half the resolution.
+/// (exact), and the mean transmittance of particles and lens. So there are no stair steps to
+/// diffract, and the same eye appears at every resolution: averaging 2 x 2 pixels gives the picture
+/// at half the resolution.
 ///
 /// In the midst of a blink the picture is opaque, wholly or nearly: no template can be made of an
 /// opaque one, which `require_valid(const Aperture&)` refuses; its veil is dark.

@@ -1,11 +1,13 @@
 #include "glare/aperture/eye/eye_drawing.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "glare/aperture/eye/eyelashes.h"
 #include "glare/aperture/eye/eyelids.h"
 #include "glare/aperture/eye/motion.h"
 #include "glare/aperture/eye/pupil.h"
+#include "glare/aperture/eye/random.h"
 
 namespace glare {
 
@@ -31,7 +33,10 @@ std::vector<Outline> covers(const EyeParameters& p, double reach_mm) {
 EyeDrawing::EyeDrawing(const EyeParameters& p)
     : width_mm_((require_valid(p), eye_picture_width_mm(p))),
       pupil_(pupil_outline(p.pupil, p.seed, pupil_diameter_at_mm(p, p.time_s))),
-      covers_(covers(p, width_mm_ / 2)) {}
+      covers_(covers(p, width_mm_ / 2)),
+      particles_(p.particles, seed_for(p.seed, EyePart::particles), p.time_s,
+                 width_mm_ / 2 * std::numbers::sqrt2),
+      lens_(p.lens, seed_for(p.seed, EyePart::lens)) {}
 
 Columns EyeDrawing::draw_row(const Grid& grid, int y, RowCoverage& coverage,
                              std::span<float> row) const {
@@ -49,7 +54,10 @@ Columns EyeDrawing::draw_row(const Grid& grid, int y, RowCoverage& coverage,
       for (int x = std::max(first, open.first); x < last; ++x) row[x] *= 1 - share;
     });
   }
-  return open.first < open.last ? open : Columns{};
+  if (open.first >= open.last) return {};
+  particles_.draw_row(grid, y, open, row);
+  lens_.draw_row(grid, y, open, row);
+  return open;
 }
 
 }  // namespace glare

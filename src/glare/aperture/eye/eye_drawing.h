@@ -6,6 +6,8 @@
 
 #include "glare/aperture/coverage.h"
 #include "glare/aperture/eye.h"
+#include "glare/aperture/eye/lens_layer.h"
+#include "glare/aperture/eye/particle_layer.h"
 
 namespace glare {
 
@@ -25,6 +27,8 @@ class EyeDrawing {
   double width_mm_;
   Outline pupil_;
   std::vector<Outline> covers_;  ///< Lids and lashes.
+  ParticleLayer particles_;
+  LensLayer lens_;
 };
 
 }  // namespace glare

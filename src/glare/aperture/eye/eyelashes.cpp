@@ -41,7 +41,7 @@ struct Lash {
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// The lash number `index`, alone. The ranges around the parameters are choices.
-Lash free_lash(const EyelashParameters& p, Lid lid, const Eyelids& lids, Random& random,
+Lash free_lash(const EyelashParameters& p, Lid lid, const Eyelids& lids, SplitMix& random,
                int index) {
   constexpr double rows_depth_mm = 0.8;
   Lash lash;
@@ -51,16 +51,16 @@ Lash free_lash(const EyelashParameters& p, Lid lid, const Eyelids& lids, Random&
   const double margin = lid == Lid::upper ? lids.upper(x) : lids.lower(x);
   lash.root = {x, margin - lash.inward * random.between(0, rows_depth_mm)};
   lash.length = p.length_mm * (1 - 0.4 * place * place) * random.between(0.7, 1);
-  lash.droop = radians(p.droop_deg + p.scatter_deg * random.around_zero());
+  lash.droop = radians(p.droop_deg + p.scatter_deg * random.normal());
   lash.curl = radians(p.curl_deg) * random.between(0.7, 1.3);
-  lash.azimuth = radians(p.fan_deg * place + p.scatter_deg * random.around_zero());
+  lash.azimuth = radians(p.fan_deg * place + p.scatter_deg * random.normal());
   lash.root_radius = p.root_width_mm / 2 * random.between(0.67, 1);
   lash.tip_radius = p.tip_share * lash.root_radius;
   return lash;
 }
 
 /// Draws the tips of neighbours, 2 to 6 at a time, towards their mean.
-void gather(std::vector<Lash>& lashes, double clumping, Random& random) {
+void gather(std::vector<Lash>& lashes, double clumping, SplitMix& random) {
   for (std::size_t first = 0; first < lashes.size();) {
     const auto count = static_cast<std::size_t>(random.between(2, 7));
     const std::size_t last = std::min(first + count, lashes.size());
@@ -106,10 +106,10 @@ std::vector<Outline> eyelashes(const EyelashParameters& p, Lid lid, const Eyelid
   const EyePart part = lid == Lid::upper ? EyePart::upper_lashes : EyePart::lower_lashes;
   std::vector<Lash> lashes;
   for (int i = 0; i < p.count; ++i) {
-    Random random = random_for(seed, part, 1 + static_cast<std::uint64_t>(i));
+    SplitMix random = random_for(seed, part, 1 + static_cast<std::uint64_t>(i));
     lashes.push_back(free_lash(p, lid, lids, random, i));
   }
-  Random random = random_for(seed, part);
+  SplitMix random = random_for(seed, part);
   gather(lashes, p.clumping, random);
 
   std::vector<Outline> outlines;

@@ -16,7 +16,7 @@ constexpr double kMostUnrest = 3;  // Root mean squares.
 double unrest(std::uint64_t seed, double time_s) {
   constexpr int waves = 32;
   constexpr double slowest_hz = 0.05, corner_hz = 0.5, fastest_hz = 2;
-  Random random = random_for(seed, EyePart::hippus);
+  SplitMix random = random_for(seed, EyePart::hippus);
   double sum = 0, power = 0;
   for (int k = 0; k < waves; ++k) {
     const double place = (k + random.between(0, 1)) / waves;
@@ -48,7 +48,7 @@ double lid_closure_at(const EyeParameters& p, double time_s) {
   if (p.motion.blinks_per_minute == 0) return 0;
   const double period_s = 60 / p.motion.blinks_per_minute;
   const double period = std::floor(time_s / period_s);
-  Random random = random_for(p.seed, EyePart::blinks, static_cast<std::uint64_t>(period));
+  SplitMix random = random_for(p.seed, EyePart::blinks, static_cast<std::uint64_t>(period));
   // At 40 a minute a third of a period, 0.5 s, is left for the last blink.
   const double since_s = time_s - (period + random.between(0.02, 0.67)) * period_s;
   if (since_s <= 0) return 0;

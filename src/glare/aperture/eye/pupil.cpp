@@ -19,7 +19,7 @@ struct Waves {
   std::vector<std::complex<double>> amplitudes;
 
   /// Weights fall as 1 / k^`falling`.
-  Waves(int first_, int last_, double rms, double falling, Random& random)
+  Waves(int first_, int last_, double rms, double falling, SplitMix& random)
       : first(first_), last(last_), rms_mm(rms) {
     double power = 0;
     for (int k = first; k <= last; ++k) {
@@ -55,7 +55,7 @@ double ellipse_radius(double axis_ratio, double angle) {
 
 std::vector<Point> pupil_outline(const PupilParameters& p, std::uint64_t seed, double diameter_mm) {
   constexpr int vertex_count = 8192;
-  Random random = random_for(seed, EyePart::pupil);
+  SplitMix random = random_for(seed, EyePart::pupil);
   const Waves crypts(3, 12, p.crypt_irregularity_mm, 1, random);
   const Waves ruff(20, 80, p.ruff_irregularity_mm, 0, random);
   const double tilt = p.longer_axis_deg * std::numbers::pi / 180;

@@ -104,7 +104,8 @@ TEST(Motion, ABlinkClosesTheEye) {
   double t = 0;
   while (lid_closure_at(eye, t) < 1) t += 0.01;
   eye.time_s = t;
-  for (const float value : draw_eye(eye, 0.05).transmittance.values()) ASSERT_EQ(value, 0);
+  const Aperture closed = draw_eye(eye, 0.05);
+  for (const float value : closed.transmittance.values()) ASSERT_EQ(value, 0);
   const double width_mm = eye_picture_width_mm(eye);
   eye.time_s = 0;
   EXPECT_EQ(eye_picture_width_mm(eye), width_mm);
