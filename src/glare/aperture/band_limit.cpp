@@ -113,28 +113,22 @@ class Band {
         row_filter_(picture.width(), weights),
         row_(fine_.size) {}
 
-  /// Sets the rows from `first` to before `last`; returns the sum of the squares of the fine
-  /// samples in them.
+  /// Sets the rows from `first` to before `last`; returns the sum of the fine rows' mean squares in
+  /// them.
   double make(int first, int last) {
     const int begin = std::max(0, kFine * first - kBefore);
     const int end = std::min(fine_.size, kFine * (last - 1) - kBefore + kTaps);
     double squares = 0;
     for (int y = begin; y < end; ++y) {
-      const Columns open = draw_row_(fine_, y, row_);
-      if (open.first >= open.last) continue;
-      if (y >= kFine * first && y < kFine * last) squares += sum_of_squares(open);
-      add(y, row_filter_.filter(row_, open), first, last);
+      const FineRow drawn = draw_row_(fine_, y, row_);
+      if (drawn.open.first >= drawn.open.last) continue;
+      if (y >= kFine * first && y < kFine * last) squares += drawn.mean_squares;
+      add(y, row_filter_.filter(row_, drawn.open), first, last);
     }
     return squares;
   }
 
  private:
-  double sum_of_squares(Columns open) const {
-    double sum = 0;
-    for (int x = open.first; x < open.last; ++x) sum += static_cast<double>(row_[x]) * row_[x];
-    return sum;
-  }
-
   /// Adds fine row `y` to the rows from `first` to before `last` whose filters take it.
   void add(int y, Columns part, int first, int last) {
     const int newest = std::min(last - 1, (y + kBefore) / kFine);

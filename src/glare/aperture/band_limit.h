@@ -26,9 +26,15 @@ struct BandLimit {
 /// even: the middle is between two fine samples, where the pixel's centre is.
 std::vector<double> band_limiting_weights();
 
-/// Sets all of row `y` of the fine picture, with values from 0 to 1, and returns the columns
-/// outside which it is 0.
-using FineRows = std::function<Columns(const Grid& grid, int y, std::span<float> row)>;
+/// A row of the fine picture: the columns outside which it is 0, and the sum over its squares of
+/// the mean of t(x)^2 in each. (A sample's own square is less than that on an edge.)
+struct FineRow {
+  Columns open;
+  double mean_squares = 0;
+};
+
+/// Sets all of row `y` of the fine picture to the means of t(x), from 0 to 1.
+using FineRows = std::function<FineRow(const Grid& grid, int y, std::span<float> row)>;
 
 /// The picture of `size` x `size` samples over `width_mm`, filtered from a fine one, which is 0
 /// beyond its edges. `fine_rows` gives something to draw rows with, for one thread at a time; rows

@@ -109,8 +109,10 @@ Aperture draw_eye(const EyeParameters& parameters, double max_pixel_mm, int thre
   const auto draw_rows = [&](int task) {
     RowCoverage coverage(size);
     const int end = std::min(size, (task + 1) * rows_per_task);
-    for (int y = task * rows_per_task; y < end; ++y)
-      drawing.draw_row(grid, y, coverage, eye.transmittance.row(y));
+    for (int y = task * rows_per_task; y < end; ++y) {
+      const auto row = eye.transmittance.row(y);
+      drawing.draw_lens(grid, y, drawing.draw_shapes(grid, y, coverage, row), row);
+    }
   };
   parallel_for((size + rows_per_task - 1) / rows_per_task, threads, draw_rows, progress);
   return eye;

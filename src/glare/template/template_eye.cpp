@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "glare/aperture/band_limit.h"
 #include "glare/aperture/eye/eye_drawing.h"
@@ -15,7 +16,7 @@ namespace glare {
 
 namespace {
 
-constexpr double kCoarsest_mm = 0.008;
+constexpr double kCoarsest_mm = 0.005;
 constexpr int kWidest = 65536;
 /// How much finer than the field needs: its rim is then at 0.385 cycles per pixel, within
 /// `BandLimit::kPassed` with the far field's margin for interpolation.
@@ -29,6 +30,28 @@ double pixel_for(double field_rad, const WavelengthRange& range) {
 double field_of_pixel_rad(double pixel_mm, const WavelengthRange& range) {
   return range.lo_nm * kMmPerNm / pixel_mm / kFiner;
 }
+
+/// Draws an eye's rows, and knows their mean squares: of a shape's edge, t^2 is t.
+class FineEyeRows {
+ public:
+  FineEyeRows(const EyeDrawing& drawing, int columns)
+      : drawing_(drawing), coverage_(columns), shapes_(columns) {}
+
+  FineRow draw(const Grid& grid, int y, std::span<float> row) {
+    const Columns open = drawing_.draw_shapes(grid, y, coverage_, row);
+    std::copy(row.begin() + open.first, row.begin() + open.last, shapes_.begin() + open.first);
+    drawing_.draw_lens(grid, y, open, row);
+    double sum = 0;
+    for (int x = open.first; x < open.last; ++x)
+      if (shapes_[x] > 0) sum += row[x] * (row[x] / shapes_[x]);
+    return {open, sum};
+  }
+
+ private:
+  const EyeDrawing& drawing_;
+  RowCoverage coverage_;
+  std::vector<float> shapes_;
+};
 
 [[noreturn]] void throw_too_wide(double widest_rad, const PixelGrid& grid) {
   char text[160];
@@ -62,9 +85,9 @@ Aperture draw_template_eye(const EyeParameters& parameters, const TemplateOption
   const int size = template_eye_size(parameters, options, range).width;
   const EyeDrawing drawing(parameters);
   const auto rows = [&drawing, size]() -> FineRows {
-    const auto coverage = std::make_shared<RowCoverage>(BandLimit::kFineSamples * size);
-    return [&drawing, coverage](const Grid& grid, int y, std::span<float> row) {
-      return drawing.draw_row(grid, y, *coverage, row);
+    const auto drawer = std::make_shared<FineEyeRows>(drawing, BandLimit::kFineSamples * size);
+    return [drawer](const Grid& grid, int y, std::span<float> row) {
+      return drawer->draw(grid, y, row);
     };
   };
   return band_limited(size, drawing.width_mm(), rows, options.threads, options.progress);

@@ -7,7 +7,7 @@
 namespace glare {
 
 /// The built-in eye as samples of its band-limited transmittance (see `Aperture`), somewhat finer
-/// than the field of view needs at the shortest wavelength of `range`, and never coarser than 8 um,
+/// than the field of view needs at the shortest wavelength of `range`, and never coarser than 5 um,
 /// so that lashes show. They are filtered from a picture with four times as many samples each way:
 /// so the far field is the drawn eye's, right up to the rim of the field, and the template is the
 /// same at every number of pixels. An eye whose lids are closed gives an opaque picture, of which

@@ -53,8 +53,12 @@ double wave(const Grid& grid, int x, int y) {
 
 FineRows waves() {
   return [](const Grid& grid, int y, std::span<float> row) {
-    for (int x = 0; x < grid.size; ++x) row[x] = static_cast<float>(wave(grid, x, y));
-    return Columns{0, grid.size};
+    double squares = 0;
+    for (int x = 0; x < grid.size; ++x) {
+      row[x] = static_cast<float>(wave(grid, x, y));
+      squares += row[x] * row[x];
+    }
+    return FineRow{{0, grid.size}, squares};
   };
 }
 

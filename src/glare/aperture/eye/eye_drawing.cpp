@@ -38,8 +38,8 @@ EyeDrawing::EyeDrawing(const EyeParameters& p)
                  width_mm_ / 2 * std::numbers::sqrt2),
       lens_(p.lens, seed_for(p.seed, EyePart::lens)) {}
 
-Columns EyeDrawing::draw_row(const Grid& grid, int y, RowCoverage& coverage,
-                             std::span<float> row) const {
+Columns EyeDrawing::draw_shapes(const Grid& grid, int y, RowCoverage& coverage,
+                                std::span<float> row) const {
   std::ranges::fill(row, 0.0f);
   if (!pupil_.cover_row(grid, y, coverage)) return {};
   Columns open{grid.size, 0};
@@ -56,7 +56,6 @@ Columns EyeDrawing::draw_row(const Grid& grid, int y, RowCoverage& coverage,
   }
   if (open.first >= open.last) return {};
   particles_.draw_row(grid, y, open, row);
-  lens_.draw_row(grid, y, open, row);
   return open;
 }
 

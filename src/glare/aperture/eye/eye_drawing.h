@@ -19,9 +19,15 @@ class EyeDrawing {
   /// Of the picture, which is square.
   double width_mm() const { return width_mm_; }
 
-  /// Sets all of `row`, which is row `y` of the picture; `coverage` is working memory of as many
-  /// columns. Returns the columns outside which the row is 0.
-  Columns draw_row(const Grid& grid, int y, RowCoverage& coverage, std::span<float> row) const;
+  /// Sets all of `row`, which is row `y` of the picture, to the share of each square that pupil,
+  /// lids, lashes and particles leave open; `coverage` is working memory of as many columns.
+  /// Returns the columns outside which the row is 0.
+  Columns draw_shapes(const Grid& grid, int y, RowCoverage& coverage, std::span<float> row) const;
+
+  /// Multiplies the row by the lens's transmittance, which is what completes it.
+  void draw_lens(const Grid& grid, int y, Columns open, std::span<float> row) const {
+    lens_.draw_row(grid, y, open, row);
+  }
 
  private:
   double width_mm_;
