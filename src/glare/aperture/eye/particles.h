@@ -25,8 +25,8 @@ struct MediumParticles {
 };
 
 /// The eye's particles. The defaults are a young, healthy eye's: together they diffract about 4 %
-/// of the light, and their luminance follows the straylight of CIE 146:2002 between 1 and 10
-/// degrees within a factor of about 2.
+/// of the light; their luminance is 0.4 to 0.5 of the straylight of CIE 146:2002 (age 24) between 1
+/// and 5 degrees, the rest of which is of the iris, the sclera and the retina.
 struct ParticleParameters {
   /// About 30 % of the straylight between 3 and 7 degrees is the cornea's (Vos and Boogaard 1963,
   /// J. Opt. Soc. Am. 53, 869). The size is that of a keratocyte's nucleus, about 10 um, and the
