@@ -14,8 +14,10 @@ namespace glare {
 /// than the zone's inner radius shows none.
 ///
 /// The amplitude transmittance is sinusoidal, 1 - modulation (1 + cos) / 2: it has a first order
-/// only, with modulation^2 / 8 of the light that enters the zone. A real lens's fibres change the
-/// phase rather; with the same light in the first order the halo is the same.
+/// only, with modulation^2 / 8 of the light that enters the zone. The mean, 1 - modulation / 2, is
+/// the same over the whole pupil, so that the zone has no edge; it drops out of a template. A real
+/// lens's fibres change the phase rather; with the same light in the first order the halo is the
+/// same.
 struct LensParameters {
   /// Distance between neighbouring fibres, 5 to 30 um. 10.85 um puts the halo of 568 nm at 3
   /// degrees, as Spencer and others have it (1995, Physically-based glare effects, SIGGRAPH), after
@@ -35,10 +37,10 @@ struct LensParameters {
   /// Where it ends, above the inner radius to 6 mm; 4.5 mm is the lens's equator, beyond any pupil.
   double fibre_zone_outer_mm = 4.5;
 
-  /// Amplitude modulation of the grating, 0 to 1; 0 is no halo. A choice: 0.25 puts 0.6 % of the
-  /// light of a 7 mm pupil into the halo, a faint ring on the straylight. (Spencer and others put
-  /// 3.3 % of a 4.9 mm pupil's there; 0.8 does so.)
-  double fibre_modulation = 0.25;
+  /// Amplitude modulation of the grating, 0 to 1; 0 is no halo. A choice: 0.15 puts 0.2 % of the
+  /// light of a 7 mm pupil into the halo, a faint ring about as bright as the corona beneath it.
+  /// (Spencer and others put 3.3 % of a 4.9 mm pupil's there; about 0.5 does so.)
+  double fibre_modulation = 0.15;
 
   /// Branches of the suture, 0 to 48; 0 is none. Y-shaped with 3 before birth, a star of 6 to 12
   /// later (Kuszak in Duane's Ophthalmology; 9 to 12 lines are visible).

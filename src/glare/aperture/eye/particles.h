@@ -25,12 +25,12 @@ struct MediumParticles {
 };
 
 /// The eye's particles. The defaults are a young, healthy eye's: together they diffract about 4 %
-/// of the light, and their luminance follows the straylight of CIE 146:2002 between 1 and 10
-/// degrees within a factor of about 2.
+/// of the light; their luminance is 0.4 to 0.5 of the straylight of CIE 146:2002 (age 24) between 1
+/// and 5 degrees, the rest of which is of the iris, the sclera and the retina.
 struct ParticleParameters {
-  /// About 30 % of the straylight between 3 and 7 degrees is the cornea's (Vos and Boogaard 1963,
-  /// J. Opt. Soc. Am. 53, 869). The size is that of a keratocyte's nucleus, about 10 um, and the
-  /// number is chosen to give that share.
+  /// About 30 % of the straylight is the cornea's (Vos and Boogaard 1963, J. Opt. Soc. Am. 53, 869,
+  /// at 30 to 70 degrees). The size is a choice, about that of a keratocyte's nucleus, and the
+  /// number is chosen to give that share at 1 to 5 degrees.
   MediumParticles cornea = {200, 10, 0.3, 0};
 
   /// Lens: multilamellar bodies have diameters of 1 to 4 um (Gilliland and others 2008, Mol. Vis.
