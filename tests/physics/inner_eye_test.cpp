@@ -1,6 +1,7 @@
 // The ciliary corona and the lenticular halo: their angular radii in the template.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -15,6 +16,17 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
+/// A round pupil's outline.
+Outline disc(double diameter_mm) {
+  constexpr int corners = 8192;
+  std::vector<Point> vertices;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    vertices.push_back(diameter_mm / 2 * Point{std::cos(angle), std::sin(angle)});
+  }
+  return Outline(vertices);
+}
+
 template <typename Layer>
 Aperture pupil_behind(const Layer& layer, double diameter_mm, double pixel_mm) {
   Aperture aperture;
@@ -22,9 +34,15 @@ Aperture pupil_behind(const Layer& layer, double diameter_mm, double pixel_mm) {
   aperture.width_mm = size * pixel_mm;
   aperture.transmittance = Image<float>(size, size);
   const Grid grid{size, pixel_mm};
+  const Outline pupil = disc(diameter_mm);
+  RowCoverage coverage(size);
   for (int y = 0; y < size; ++y) {
+    if (!pupil.cover_row(grid, y, coverage)) continue;
     const std::span<float> row = aperture.transmittance.row(y);
-    layer.draw_row(grid, y, draw_pupil_row(grid, y, diameter_mm / 2, row), row);
+    coverage.paint([&](int first, int last, float share) {
+      std::fill(row.begin() + first, row.begin() + last, share);
+    });
+    layer.draw_row(grid, y, {0, size}, row);
   }
   return aperture;
 }
