@@ -16,8 +16,12 @@ constexpr double kWidth_mm = 8;
 }  // namespace
 
 Aperture eight_millimetre_eye(int samples) {
-  EyeParameters parameters;
-  parameters.pupil_diameter_mm *= kWidth_mm / eye_picture_width_mm(parameters);
+  EyeParameters parameters, wider;
+  parameters.motion.hippus_mm = wider.motion.hippus_mm = 0;
+  wider.pupil.diameter_mm += 1;  // The width is a straight line over the diameter.
+  const double width_mm = eye_picture_width_mm(parameters);
+  const double per_mm = eye_picture_width_mm(wider) - width_mm;
+  parameters.pupil.diameter_mm += (kWidth_mm - width_mm) / per_mm;
   return draw_eye(parameters, kWidth_mm / samples * (1 + 1e-9));
 }
 

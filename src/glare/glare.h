@@ -3,6 +3,9 @@
 
 #include "glare/aperture/aperture.h"
 #include "glare/aperture/eye.h"
+#include "glare/aperture/eye/crystalline_lens.h"
+#include "glare/aperture/eye/particles.h"
+#include "glare/aperture/pupil_diameter.h"
 #include "glare/base/error.h"
 #include "glare/base/image.h"
 #include "glare/base/progress.h"

@@ -116,15 +116,22 @@ Image<float> heightened(const Image<float>& image, int height) {
   return result;
 }
 
-void require_transmittance(float value, int x, int y) {
-  if (value >= 0 && value <= 1) return;
+/// The values that a transmittance may have.
+struct Values {
+  float least, most;
+};
+
+void require_transmittance(float value, int x, int y, const Values& expected) {
+  if (value >= expected.least && value <= expected.most) return;
   throw InputError("aperture pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")",
-                   "transmittance is " + number_text(value) + ", expected 0 to 1");
+                   "transmittance is " + number_text(value) + ", expected " +
+                       number_text(expected.least) + " to " + number_text(expected.most));
 }
 
 }  // namespace
 
 double energy_area_mm2(const Aperture& aperture) {
+  if (aperture.unlimited_energy_area_mm2) return *aperture.unlimited_energy_area_mm2;
   double sum = 0;
   for (const float t : aperture.transmittance.values()) sum += static_cast<double>(t) * t;
   return sum * aperture.pixel_mm() * aperture.pixel_mm();
@@ -137,8 +144,9 @@ void require_valid(const Aperture& aperture) {
   if (!(std::isfinite(aperture.width_mm) && aperture.width_mm > 0))
     throw InputError("", "the aperture is " + number_text(aperture.width_mm) +
                              " mm wide, expected a positive width");
+  const Values expected = aperture.unlimited_energy_area_mm2 ? Values{-0.5f, 1.5f} : Values{0, 1};
   for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) require_transmittance(image.row(y)[x], x, y);
+    for (int x = 0; x < image.width(); ++x) require_transmittance(image.row(y)[x], x, y, expected);
   if (!(energy_area_mm2(aperture) > 0))
     throw InputError("", "the aperture is opaque everywhere, expected some light to get through");
 }
@@ -147,6 +155,7 @@ Aperture stacked(const Aperture& front, const Aperture& behind) {
   const bool front_is_finer = front.transmittance.width() >= behind.transmittance.width();
   const Aperture& fine = front_is_finer ? front : behind;
   const Aperture& coarse = front_is_finer ? behind : front;
+  assert(!fine.unlimited_energy_area_mm2 && !coarse.unlimited_energy_area_mm2);
   require_same_rectangle(fine, coarse);
 
   Aperture result{
