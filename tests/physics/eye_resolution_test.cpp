@@ -83,13 +83,26 @@ TEST(EyeResolution, TheTemplateIsThatOfAMuchFinerPictureDrawnByArea) {
 }
 
 TEST(EyeResolution, TheEnergyIsTheDrawnEyes) {
-  const Spectrum lamp = *find_lamp("D65");
-  const Aperture drawn =
-      draw_template_eye(small_eye(), options_for(kField_deg, kSize), range_of(lamp));
-  // Grey samples on the edges have t^2 for t: the finer, the fewer.
-  EXPECT_NEAR(energy_area_mm2(drawn), energy_area_mm2(draw_eye(small_eye(), 0.001)),
+  const WavelengthRange range = range_of(*find_lamp("D65"));
+  EyeParameters clear = small_eye();
+  for (MediumParticles* particles :
+       {&clear.particles.cornea, &clear.particles.lens, &clear.particles.vitreous})
+    particles->number_per_mm2 = 0;
+  clear.lens.fibre_modulation = clear.lens.suture_contrast = 0;
+  const Aperture drawn = draw_template_eye(clear, options_for(kField_deg, kSize), range);
+  // Grey samples on the picture's edges have t^2 for t: the finer, the fewer.
+  EXPECT_NEAR(energy_area_mm2(drawn), energy_area_mm2(draw_eye(clear, 0.001)),
               3e-3 * energy_area_mm2(drawn));
   EXPECT_NO_THROW(require_valid(drawn));
+}
+
+TEST(EyeResolution, TheEnergyDoesNotDependOnThePixels) {
+  const WavelengthRange range = range_of(*find_lamp("D65"));
+  const Aperture drawn = draw_template_eye(small_eye(), options_for(kField_deg, kSize), range);
+  const Aperture twice =
+      draw_template_eye(small_eye(), options_for(2 * kField_deg, 2 * kSize), range);
+  // Particles that share a pixel without overlapping, or overlap, count the same.
+  EXPECT_NEAR(energy_area_mm2(drawn), energy_area_mm2(twice), 5e-4 * energy_area_mm2(twice));
 }
 
 TEST(EyeResolution, TheEyeIsTheSameForAnyNumberOfThreads) {
