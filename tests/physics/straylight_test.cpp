@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "glare/glare.h"
+#include "support/eyes.h"
 #include "support/templates.h"
 
 namespace glare {
@@ -14,16 +15,14 @@ namespace {
 
 constexpr double kRadPerDegree = std::numbers::pi / 180;
 
-/// The built-in eye without lashes.
-GlareTemplate bare_pupil(double diameter_mm, const Straylight& scatter, int size) {
+GlareTemplate template_of_pupil(double diameter_mm, const Straylight& scatter, int size) {
   TemplateOptions options;
   options.width = options.height = size;
   options.field_of_view_deg = 5;
   options.scatter = scatter;
   options.threads = 2;
-  EyeParameters eye;
-  eye.pupil_diameter_mm = diameter_mm;
-  eye.eyelash_count = 0;
+  EyeParameters eye = round_pupil();
+  eye.pupil.diameter_mm = diameter_mm;
   const Spectrum lamp = *find_lamp("D65");
   return make_template(draw_template_eye(eye, options, effective_range(lamp, options)), lamp,
                        options);
@@ -51,10 +50,10 @@ void expect_cie_curve(const GlareTemplate& t, double most, const char* name) {
 }
 
 TEST(StraylightOfAClearPupil, IsTheCieCurveWithTheDiffractionsOwnWings) {
-  expect_cie_curve(bare_pupil(3, {24, 0.5}, 512), 0.075, "3mm_24");
-  expect_cie_curve(bare_pupil(3, {70, 1}, 512), 0.05, "3mm_70");
-  expect_cie_curve(bare_pupil(6.5, {24, 0.5}, 512), 0.035, "6.5mm_24");
-  expect_cie_curve(bare_pupil(6.5, {70, 1}, 512), 0.025, "6.5mm_70");
+  expect_cie_curve(template_of_pupil(3, {24, 0.5}, 512), 0.075, "3mm_24");
+  expect_cie_curve(template_of_pupil(3, {70, 1}, 512), 0.05, "3mm_70");
+  expect_cie_curve(template_of_pupil(6.5, {24, 0.5}, 512), 0.035, "6.5mm_24");
+  expect_cie_curve(template_of_pupil(6.5, {70, 1}, 512), 0.025, "6.5mm_70");
 }
 
 /// 39 degrees across, of a 3 mm pupil in light about 555 nm.
@@ -94,7 +93,7 @@ TEST(StraylightOfAClearPupil, AllLightTogetherIsOne) {
 TEST(StraylightOfAClearPupil, NoRingAtTheJoin) {
   for (const double diameter_mm : {3.0, 6.5})
     for (const Straylight eye : {Straylight{24, 0.5}, Straylight{70, 1}, Straylight{100, 1.2}}) {
-      const auto rings = radial_profile(bare_pupil(diameter_mm, eye, 512));
+      const auto rings = radial_profile(template_of_pupil(diameter_mm, eye, 512));
       for (std::size_t i = 1; i < rings.size(); ++i)
         EXPECT_LT(rings[i].mean_per_steradian, rings[i - 1].mean_per_steradian)
             << diameter_mm << " mm, " << eye.age_years << " years, " << rings[i].inner_deg;
@@ -102,8 +101,8 @@ TEST(StraylightOfAClearPupil, NoRingAtTheJoin) {
 }
 
 TEST(StraylightOfAClearPupil, IsTheSameAtThreeTimesThePixels) {
-  const GlareTemplate coarse = bare_pupil(3, {24, 0.5}, 171);
-  const GlareTemplate fine = bare_pupil(3, {24, 0.5}, 513);
+  const GlareTemplate coarse = template_of_pupil(3, {24, 0.5}, 171);
+  const GlareTemplate fine = template_of_pupil(3, {24, 0.5}, 513);
   for (int y = 0; y < 171; ++y)
     for (int x = 0; x < 171; ++x) {
       double sum = 0;

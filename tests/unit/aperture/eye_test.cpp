@@ -9,36 +9,10 @@
 #include <string>
 
 #include "glare/base/error.h"
+#include "support/eyes.h"
 
 namespace glare {
 namespace {
-
-/// Nothing inside the eye.
-EyeParameters clear_eye() {
-  EyeParameters parameters;
-  parameters.particles.cornea.number_per_mm2 = 0;
-  parameters.particles.lens.number_per_mm2 = 0;
-  parameters.particles.vitreous.number_per_mm2 = 0;
-  parameters.lens.fibre_modulation = parameters.lens.suture_contrast = 0;
-  return parameters;
-}
-
-/// Lids out of the way, no lashes.
-EyeParameters bare_pupil() {
-  EyeParameters parameters = clear_eye();
-  parameters.eyelids.opening_mm = 12;
-  parameters.upper_lashes.count = parameters.lower_lashes.count = 0;
-  return parameters;
-}
-
-/// And a disc, in the middle.
-EyeParameters round_pupil() {
-  EyeParameters p = bare_pupil();
-  p.pupil.axis_ratio = 1;
-  p.pupil.crypt_irregularity_mm = p.pupil.ruff_irregularity_mm = 0;
-  p.pupil.decentring_x_mm = p.pupil.decentring_y_mm = 0;
-  return p;
-}
 
 double open_area_mm2(const Aperture& eye) {
   double sum = 0;
