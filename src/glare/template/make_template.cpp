@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <utility>
 
 #include "glare/aperture/open_part.h"
 #include "glare/base/error.h"
 #include "glare/base/parallel.h"
 #include "glare/base/units.h"
 #include "glare/color/gamut.h"
+#include "glare/integration/aberrated_integral.h"
 #include "glare/spectrum/observer.h"
 
 namespace glare {
@@ -124,6 +126,50 @@ void normalize(GlareTemplate& glare_template) {
   glare_template.per_steradian = divisor;
 }
 
+void require_no_phase(const TemplateOptions& options) {
+  if (options.aberrations.has_phase())
+    throw OptionError(
+        "aberrations that shift the phase need another far field for each wavelength: make the "
+        "template from the aperture");
+}
+
+/// The aperture with the Stiles-Crawford effect, if there is to be one.
+Aperture as_weighed(const Aperture& aperture, const Aberrations& aberrations) {
+  if (!aberrations.stiles_crawford) return aperture;
+  return apodized(aperture, *aberrations.stiles_crawford, aberrations.pupil_center);
+}
+
+/// What a template tells of its aperture.
+struct ApertureNumbers {
+  double width_mm, area_mm2;
+};
+
+/// From XYZ per steradian to the template.
+GlareTemplate finished_template(XyzImage xyz, const ApertureNumbers& aperture, const Spectrum& lamp,
+                                const TemplateOptions& options, const std::string& lamp_name) {
+  const auto& observer = color_matching_functions(options.observer);
+  const WavelengthRange range = effective_range(lamp, options);
+  GlareTemplate result;
+  result.channels = std::move(xyz);
+  result.color_space = options.color_space;
+  result.pixel_pitch_rad = pixel_grid(options).pitch_rad;
+  result.normalization = options.normalization;
+  result.captured_energy =
+      sum_of(result.channels[1]) * result.pixel_pitch_rad * result.pixel_pitch_rad;
+  result.lamp_xyz = xyz_from_spectrum(lamp, observer, range);
+  result.lamp = lamp_name;
+  result.observer = observer.name;
+  result.aberrations = to_string(options.aberrations);
+  result.wavelength_range_nm = range;
+  result.aperture_width_mm = aperture.width_mm;
+  result.aperture_area_mm2 = aperture.area_mm2;
+  result.software = "glare " GLARE_VERSION;
+
+  convert(result.channels, rgb_from_observed_xyz(options, result.lamp_xyz), options);
+  normalize(result);
+  return result;
+}
+
 }  // namespace
 
 WavelengthRange effective_range(const Spectrum& lamp, const TemplateOptions& options) {
@@ -173,6 +219,7 @@ double widest_field_of_view_deg(double pixel_mm, double shortest_nm, const Pixel
 void require_far_field_possible(const Aperture& aperture, const TemplateOptions& options,
                                 const WavelengthRange& range) {
   require_valid(aperture);
+  require_valid(options.aberrations);
   require_within_reach(aperture.pixel_mm(), aperture.width_mm, pixel_grid(options),
                        options.field_of_view_deg, range.lo_nm);
   require_memory(open_size(aperture), options, range);
@@ -180,11 +227,12 @@ void require_far_field_possible(const Aperture& aperture, const TemplateOptions&
 
 FarField template_far_field(const Aperture& aperture, const TemplateOptions& options,
                             const WavelengthRange& range) {
+  require_no_phase(options);
   require_far_field_possible(aperture, options, range);
   FarFieldRequest request = far_field_request(open_size(aperture), options, range);
   request.threads = options.threads;
   request.progress = options.progress;
-  return far_field(aperture, request);
+  return far_field(as_weighed(aperture, options.aberrations), request);
 }
 
 bool same_far_field(const FarField& field, const TemplateOptions& options,
@@ -200,36 +248,32 @@ bool same_far_field(const FarField& field, const TemplateOptions& options,
 
 GlareTemplate make_template(const FarField& field, const Spectrum& lamp,
                             const TemplateOptions& options, const std::string& lamp_name) {
-  const auto& observer = color_matching_functions(options.observer);
-  const PixelGrid grid = pixel_grid(options);
+  require_no_phase(options);
   const WavelengthRange range = effective_range(lamp, options);
-
-  GlareTemplate result;
-  result.channels =
-      spectral_integral(field, grid, lamp, observer, range, options.threads, options.progress);
-  result.color_space = options.color_space;
-  result.pixel_pitch_rad = grid.pitch_rad;
-  result.normalization = options.normalization;
-  result.captured_energy = sum_of(result.channels[1]) * grid.pitch_rad * grid.pitch_rad;
-  result.lamp_xyz = xyz_from_spectrum(lamp, observer, range);
-  result.lamp = lamp_name;
-  result.observer = observer.name;
-  result.wavelength_range_nm = range;
-  result.aperture_width_mm = field.aperture_width_mm;
-  result.aperture_area_mm2 = field.energy_area_mm2;
-  result.software = "glare " GLARE_VERSION;
-
-  convert(result.channels, rgb_from_observed_xyz(options, result.lamp_xyz), options);
-  normalize(result);
-  return result;
+  return finished_template(spectral_integral(field, pixel_grid(options), lamp,
+                                             color_matching_functions(options.observer), range,
+                                             options.threads, options.progress),
+                           {field.aperture_width_mm, field.energy_area_mm2}, lamp, options,
+                           lamp_name);
 }
 
 GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
                             const TemplateOptions& options, const std::string& lamp_name) {
   constexpr double kShareOfFarField = 0.2;
+  const WavelengthRange range = effective_range(lamp, options);
+  if (options.aberrations.has_phase()) {
+    require_far_field_possible(aperture, options, range);
+    const Aperture weighed = as_weighed(aperture, options.aberrations);
+    const AberratedPupil pupil{weighed, options.aberrations};
+    return finished_template(aberrated_integral(pupil, pixel_grid(options), lamp,
+                                                color_matching_functions(options.observer), range,
+                                                options.threads, options.progress),
+                             {weighed.width_mm, energy_area_mm2(weighed)}, lamp, options,
+                             lamp_name);
+  }
   TemplateOptions part = options;
   part.progress = progress_part(options.progress, 0, kShareOfFarField);
-  const FarField field = template_far_field(aperture, part, effective_range(lamp, options));
+  const FarField field = template_far_field(aperture, part, range);
   part.progress = progress_part(options.progress, kShareOfFarField, 1);
   return make_template(field, lamp, part, lamp_name);
 }
@@ -240,7 +284,14 @@ std::uint64_t template_bytes(const ApertureSize& aperture, const TemplateOptions
   const FarFieldRequest request = far_field_request(aperture, options, range);
   const double open_side_mm = std::max(aperture.width, aperture.height) * aperture.pixel_mm;
   constexpr int kChannels = 3;
-  return bytes_of<float>(aperture.width, aperture.height) +
+  const std::uint64_t sample_bytes = bytes_of<float>(aperture.width, aperture.height);
+  const std::uint64_t weighed_bytes = options.aberrations.stiles_crawford ? sample_bytes : 0;
+  if (options.aberrations.has_phase())
+    return sample_bytes + weighed_bytes +
+           aberrated_integral_bytes({aperture.width, aperture.height}, aperture.pixel_mm, grid,
+                                    range, options.threads) +
+           writing_bytes(grid.width, options.threads) + options.further_bytes;
+  return sample_bytes + weighed_bytes +
          far_field_bytes(aperture.width, aperture.height, aperture.pixel_mm, request) +
          kChannels * bytes_of<float>(grid.width, grid.height) +
          std::max(spectral_integral_bytes(open_side_mm, grid, range, options.threads),

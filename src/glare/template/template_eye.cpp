@@ -6,6 +6,7 @@
 
 #include "glare/base/error.h"
 #include "glare/base/units.h"
+#include "glare/wavefront/wavefront_map.h"
 
 namespace glare {
 
@@ -20,6 +21,17 @@ double half_pixel_for(double field_rad, const WavelengthRange& range) {
 }
 double field_of_half_pixel_rad(double half_pixel_mm, const WavelengthRange& range) {
   return range.lo_nm * kMmPerNm / half_pixel_mm / 2;
+}
+
+/// Half of the pixel from which to the next the aberrations' phase moves by pi.
+double half_pixel_for_phase(const EyeParameters& parameters, const TemplateOptions& options,
+                            const WavelengthRange& range) {
+  require_valid(options.aberrations);
+  if (!options.aberrations.has_phase()) return kCoarsest_mm;
+  const auto& center = options.aberrations.pupil_center;
+  const double radius_mm = parameters.pupil_diameter_mm / 2 + std::hypot(center.x_mm, center.y_mm);
+  const double slope_rad = steepest_slope_rad(options.aberrations, radius_mm, range);
+  return range.lo_nm * kMmPerNm / std::max(slope_rad, 1e-6) / 4;
 }
 
 [[noreturn]] void throw_too_wide(double widest_rad, const PixelGrid& grid) {
@@ -38,7 +50,8 @@ ApertureSize template_eye_size(const EyeParameters& parameters, const TemplateOp
   require_valid(parameters);
   const PixelGrid grid = pixel_grid(options);
   const double field_rad = grid.pitch_rad * std::max(grid.width, grid.height);
-  const double pixel_mm = std::min(kCoarsest_mm, half_pixel_for(field_rad, range));
+  const double pixel_mm = std::min({kCoarsest_mm, half_pixel_for(field_rad, range),
+                                    half_pixel_for_phase(parameters, options, range)});
   const double finest_mm = finest_eye_pixel_mm(parameters);
   if (pixel_mm < finest_mm) throw_too_wide(field_of_half_pixel_rad(finest_mm, range), grid);
 
