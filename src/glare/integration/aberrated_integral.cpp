@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdio>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "glare/base/error.h"
@@ -16,12 +18,6 @@ namespace glare {
 namespace {
 
 constexpr int kMostAnchors = 4000;
-
-/// A wavelength at which the phase is frozen, and its hat: 1 there, 0 at its neighbours.
-struct Anchor {
-  double wavelength_nm;
-  WavelengthRange window;
-};
 
 void require_fine_enough(const WavefrontMap& map, double pixel_mm, const WavelengthRange& range) {
   const double step_rad = map.largest_phase_step_rad(range);
@@ -45,7 +41,7 @@ std::vector<double> anchor_wavelengths_nm(const WavefrontMap& map, const Wavelen
     moved_rad.push_back(moved_rad.back() + map.phase_spread_rad(at(i - 1), at(i)));
   const double all_rad = moved_rad.back();
   if (all_rad < kNone_rad) return {(range.lo_nm + range.hi_nm) / 2};
-  const double intervals = std::ceil(all_rad / kPhasePerAnchor_rad);
+  const double intervals = std::max(3.0, std::ceil(all_rad / kPhasePerAnchor_rad));
   if (intervals > kMostAnchors)
     throw OptionError("the aberrations are too large: the phase moves by " +
                       std::to_string(static_cast<long long>(all_rad)) +
@@ -64,36 +60,70 @@ std::vector<double> anchor_wavelengths_nm(const WavefrontMap& map, const Wavelen
   return result;
 }
 
-std::vector<Anchor> anchors(const std::vector<double>& wavelengths_nm,
-                            const WavelengthRange& range) {
-  std::vector<Anchor> result;
-  for (std::size_t i = 0; i < wavelengths_nm.size(); ++i)
-    result.push_back({wavelengths_nm[i],
-                      {i == 0 ? range.lo_nm : wavelengths_nm[i - 1],
-                       i + 1 == wavelengths_nm.size() ? range.hi_nm : wavelengths_nm[i + 1]}});
-  return result;
-}
+/// Wavelengths at which the phase is frozen, and each one's window: over an interval between two of
+/// them, the pattern is a cubic through the four nearest (all, of fewer), by Lagrange's
+/// polynomials.
+class Anchors {
+ public:
+  Anchors(std::vector<double> wavelengths_nm, const WavelengthRange& range)
+      : nm_(std::move(wavelengths_nm)), range_(range) {}
 
-/// The lamp's light times an anchor's hat, sampled so densely that it may be linear between.
-Spectrum windowed(const Spectrum& lamp, const Anchor& anchor, bool alone) {
-  constexpr int kParts = 16;  // Of each side: a parabola is then within 1/1000 of its height.
-  const WavelengthRange& window = anchor.window;
-  std::vector<double> knots_nm = {window.lo_nm, anchor.wavelength_nm, window.hi_nm};
-  for (int k = 1; k < kParts; ++k) {
-    knots_nm.push_back(std::lerp(window.lo_nm, anchor.wavelength_nm, double(k) / kParts));
-    knots_nm.push_back(std::lerp(anchor.wavelength_nm, window.hi_nm, double(k) / kParts));
+  std::size_t size() const { return nm_.size(); }
+  double wavelength_nm(std::size_t i) const { return nm_[i]; }
+
+  /// Outside which the window is 0: two intervals to either side, three at the ends.
+  WavelengthRange reach(std::size_t i) const {
+    if (size() == 1) return range_;
+    std::size_t first = i < 2 ? 0 : i - 2, last = std::min(i + 2, size() - 1);
+    if (i == 3) first = 0;
+    if (i + 4 == size()) last = size() - 1;
+    return {nm_[first], nm_[last]};
   }
+
+  double window(std::size_t i, double nm) const {
+    const auto next =
+        static_cast<std::size_t>(std::upper_bound(nm_.begin(), nm_.end(), nm) - nm_.begin());
+    const std::size_t count = std::min<std::size_t>(kPoints, size());
+    const std::size_t first = std::min(next < 2 ? 0 : next - 2, size() - count);
+    if (i < first || i >= first + count) return 0;
+    double product = 1;
+    for (std::size_t k = first; k < first + count; ++k)
+      if (k != i) product *= (nm - nm_[k]) / (nm_[i] - nm_[k]);
+    return product;
+  }
+
+  /// Wavelengths between which the window is smooth and of one sign, and nearly linear: within
+  /// 1/1000 of its height.
+  std::vector<double> knots_nm(std::size_t i) const {
+    constexpr int kParts = 16;
+    const WavelengthRange ends = reach(i);
+    std::vector<double> result = {ends.lo_nm};
+    for (std::size_t k = 0; k + 1 < size(); ++k)
+      for (int part = 1; part <= kParts; ++part) {
+        const double nm = std::lerp(nm_[k], nm_[k + 1], static_cast<double>(part) / kParts);
+        if (nm > ends.lo_nm && nm < ends.hi_nm) result.push_back(nm);
+      }
+    result.push_back(ends.hi_nm);
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t kPoints = 4;
+  std::vector<double> nm_;
+  WavelengthRange range_;
+};
+
+/// The lamp's light times an anchor's window where that has the sign of `sign`, in absolute value.
+Spectrum windowed(const Spectrum& lamp, const Anchors& anchors, std::size_t i, double sign) {
+  std::vector<double> knots_nm = anchors.knots_nm(i);
+  const WavelengthRange ends = anchors.reach(i);
   for (const double nm : lamp.wavelengths_nm())
-    if (nm > window.lo_nm && nm < window.hi_nm) knots_nm.push_back(nm);
+    if (nm > ends.lo_nm && nm < ends.hi_nm) knots_nm.push_back(nm);
   std::sort(knots_nm.begin(), knots_nm.end());
   knots_nm.erase(std::unique(knots_nm.begin(), knots_nm.end()), knots_nm.end());
   std::vector<double> power;
-  for (const double nm : knots_nm) {
-    const double edge_nm = nm < anchor.wavelength_nm ? window.lo_nm : window.hi_nm;
-    const double hat =
-        alone || nm == anchor.wavelength_nm ? 1 : (nm - edge_nm) / (anchor.wavelength_nm - edge_nm);
-    power.push_back(lamp(nm) * hat);
-  }
+  for (const double nm : knots_nm)
+    power.push_back(lamp(nm) * std::max(0.0, sign * anchors.window(i, nm)));
   return Spectrum(std::move(knots_nm), std::move(power));
 }
 
@@ -119,26 +149,45 @@ class AnchorIntegral {
              {}};
   }
 
-  void add_to(XyzImage& sum, const Anchor& anchor, const Spectrum& light, double share,
-              const ProgressCallback& progress) {
-    part_.row = [&](int y, std::span<std::complex<float>> row) {
-      map_.amplitude_row(y, anchor.wavelength_nm, row);
-    };
-    FarFieldRequest request = far_field_request(
-        std::min(part_.width, part_.height) * part_.pixel_mm, grid_, anchor.window);
-    request.threads = threads_;
-    request.progress = progress_part(progress, 0, 0.6);
-    const FarFieldParts field = complex_far_field(part_, request);
-    const auto integrate = [&](const FarField& f, double from, double to) {
-      spectral_integral(f, grid_, light, observer_, anchor.window, threads_,
-                        progress_part(progress, from, to), picture_);
-      add(picture_, share, sum);
-    };
-    integrate(field.even, 0.6, 0.8);
-    integrate(field.odd, 0.8, 1);
+  /// Adds the light of an anchor's window.
+  void add_to(XyzImage& sum, const Anchors& anchors, std::size_t i, const Spectrum& lamp,
+              double luminance, const ProgressCallback& progress) {
+    constexpr double kDarkest = 1e-9;  // Of all the light: less is not seen.
+    const WavelengthRange reach = anchors.reach(i);
+    std::optional<FarFieldParts> field;
+    for (const double sign : {1.0, -1.0}) {
+      const Spectrum light = windowed(lamp, anchors, i, sign);
+      const double share = luminous_integral(light, observer_, reach) / luminance;
+      if (!(share > kDarkest)) continue;
+      if (!field)
+        field = field_at(anchors.wavelength_nm(i), reach, progress_part(progress, 0, 0.6));
+      const double from = sign > 0 ? 0.6 : 0.8;
+      integrate(field->even, light, reach, sign * share, progress_part(progress, from, from + 0.1),
+                sum);
+      integrate(field->odd, light, reach, sign * share,
+                progress_part(progress, from + 0.1, from + 0.2), sum);
+    }
   }
 
  private:
+  FarFieldParts field_at(double wavelength_nm, const WavelengthRange& reach,
+                         const ProgressCallback& progress) {
+    part_.row = [&](int y, std::span<std::complex<float>> row) {
+      map_.amplitude_row(y, wavelength_nm, row);
+    };
+    FarFieldRequest request =
+        far_field_request(std::min(part_.width, part_.height) * part_.pixel_mm, grid_, reach);
+    request.threads = threads_;
+    request.progress = progress;
+    return complex_far_field(part_, request);
+  }
+
+  void integrate(const FarField& field, const Spectrum& light, const WavelengthRange& reach,
+                 double share, const ProgressCallback& progress, XyzImage& sum) {
+    spectral_integral(field, grid_, light, observer_, reach, threads_, progress, picture_);
+    add(picture_, share, sum);
+  }
+
   const WavefrontMap& map_;
   const PixelGrid& grid_;
   const ColorMatchingFunctions& observer_;
@@ -153,22 +202,18 @@ XyzImage aberrated_integral(const AberratedPupil& pupil, const PixelGrid& grid,
                             const Spectrum& lamp, const ColorMatchingFunctions& observer,
                             const WavelengthRange& range, int threads,
                             const ProgressCallback& progress) {
-  constexpr double kDarkest = 1e-9;  // Of all the light: what less adds to a pixel is not seen.
   const WavefrontMap map(pupil.aperture, pupil.aberrations, threads);
   require_fine_enough(map, pupil.aperture.pixel_mm(), range);
-  const std::vector<Anchor> all = anchors(anchor_wavelengths_nm(map, range), range);
+  const Anchors anchors(anchor_wavelengths_nm(map, range), range);
   const double luminance = luminous_integral(lamp, observer, range);
   XyzImage sum;
   sum.fill(Image<float>(grid.width, grid.height));
   AnchorIntegral integral(pupil, map, grid, observer, threads);
-  const auto count = static_cast<double>(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Spectrum light = windowed(lamp, all[i], all.size() == 1);
-    const double share = luminous_integral(light, observer, all[i].window) / luminance;
+  const auto count = static_cast<double>(anchors.size());
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
     const auto done = static_cast<double>(i);
-    if (share > kDarkest)
-      integral.add_to(sum, all[i], light, share,
-                      progress_part(progress, done / count, (done + 1) / count));
+    integral.add_to(sum, anchors, i, lamp, luminance,
+                    progress_part(progress, done / count, (done + 1) / count));
   }
   return sum;
 }

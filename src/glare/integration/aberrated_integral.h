@@ -17,18 +17,19 @@ struct AberratedPupil {
 };
 
 /// As `spectral_integral`, of t exp(2 pi i W / lambda). At some wavelengths, the anchors, the phase
-/// is frozen; each has a hat-shaped window that falls to 0 at its neighbours, and within that the
-/// pattern is the anchor's, scaled, integrated by `spectral_integral`; the windows' sum is 1. From
-/// anchor to anchor the phases of any two places of the pupil move apart by at most
-/// `kPhasePerAnchor_rad`. Throws `OptionError` where the aperture's samples are too coarse for the
-/// phase, else as `spectral_integral`.
+/// is frozen. Between them the pattern is taken for a cubic, over wavelength, of the four nearest
+/// anchors' patterns, each scaled: so each anchor has a window over wavelength, the windows' sum is
+/// 1, and `spectral_integral` does each anchor's with the lamp's light in its window, the windows'
+/// negative lobes apart. From anchor to anchor the phases of any two places of the pupil move apart
+/// by at most `kPhasePerAnchor_rad`. Throws `OptionError` where the aperture's samples are too
+/// coarse for the phase, else as `spectral_integral`.
 XyzImage aberrated_integral(const AberratedPupil& pupil, const PixelGrid& grid,
                             const Spectrum& lamp, const ColorMatchingFunctions& observer,
                             const WavelengthRange& range, int threads,
                             const ProgressCallback& progress);
 
 /// docs/aberrations.md has the errors of others.
-inline constexpr double kPhasePerAnchor_rad = 1;
+inline constexpr double kPhasePerAnchor_rad = 0.7;
 
 /// Bytes that it takes at its peak besides the aperture, for an open part of so many samples.
 std::uint64_t aberrated_integral_bytes(const std::array<int, 2>& open_size, double pixel_mm,
