@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "glare/aperture/open_part.h"
@@ -133,10 +134,11 @@ void require_no_phase(const TemplateOptions& options) {
         "template from the aperture");
 }
 
-/// The aperture with the Stiles-Crawford effect, if there is to be one.
-Aperture as_weighed(const Aperture& aperture, const Aberrations& aberrations) {
+/// The aperture, or one with the Stiles-Crawford effect, if there is to be any, in `memory`.
+const Aperture& as_weighed(const Aperture& aperture, const Aberrations& aberrations,
+                           std::optional<Aperture>& memory) {
   if (!aberrations.stiles_crawford) return aperture;
-  return apodized(aperture, *aberrations.stiles_crawford, aberrations.pupil_center);
+  return memory.emplace(apodized(aperture, *aberrations.stiles_crawford, aberrations.pupil_center));
 }
 
 /// What a template tells of its aperture.
@@ -232,7 +234,8 @@ FarField template_far_field(const Aperture& aperture, const TemplateOptions& opt
   FarFieldRequest request = far_field_request(open_size(aperture), options, range);
   request.threads = options.threads;
   request.progress = options.progress;
-  return far_field(as_weighed(aperture, options.aberrations), request);
+  std::optional<Aperture> memory;
+  return far_field(as_weighed(aperture, options.aberrations, memory), request);
 }
 
 bool same_far_field(const FarField& field, const TemplateOptions& options,
@@ -263,7 +266,8 @@ GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
   const WavelengthRange range = effective_range(lamp, options);
   if (options.aberrations.has_phase()) {
     require_far_field_possible(aperture, options, range);
-    const Aperture weighed = as_weighed(aperture, options.aberrations);
+    std::optional<Aperture> memory;
+    const Aperture& weighed = as_weighed(aperture, options.aberrations, memory);
     const AberratedPupil pupil{weighed, options.aberrations};
     return finished_template(aberrated_integral(pupil, pixel_grid(options), lamp,
                                                 color_matching_functions(options.observer), range,
