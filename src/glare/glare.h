@@ -26,3 +26,5 @@
 #include "glare/template/preview.h"
 #include "glare/template/profile.h"
 #include "glare/template/template_eye.h"
+#include "glare/wavefront/aberrations.h"
+#include "glare/wavefront/zernike.h"

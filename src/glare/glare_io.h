@@ -10,3 +10,4 @@
 #include "glare/io/sha256.h"
 #include "glare/io/template_file.h"
 #include "glare/io/transform_cache.h"
+#include "glare/io/zernike_file.h"

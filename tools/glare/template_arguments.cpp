@@ -8,6 +8,7 @@
 #include "glare/base/error.h"
 #include "glare/io/color_config.h"
 #include "glare/io/memory.h"
+#include "glare/io/zernike_file.h"
 #include "glare/spectrum/observer.h"
 
 namespace glare::tool {
@@ -99,6 +100,63 @@ void add_scatter_options(CLI::App& command, TemplateArguments& a) {
   add_eye_options(command, a.age_years, a.pigment);
 }
 
+void add_optics_options(CLI::App& command, TemplateArguments& a) {
+  const std::string group = "Optics of the eye";
+  command
+      .add_option("--defocus-d", a.defocus_dioptre,
+                  "Refractive error in dioptres, negative: short-sighted")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--zernike", a.zernike,
+                  "CSV file of pupil_diameter_mm,D and rows of j,coefficient_um (OSA/ANSI)")
+      ->check(not_empty())
+      ->group(group);
+  auto* const chromatic =
+      command
+          .add_flag("--chromatic-aberration", a.chromatic,
+                    "Longitudinal chromatic aberration of the chromatic eye (Thibos 1992)")
+          ->group(group);
+  command.add_option("--focused-nm", a.focused_nm, "Wavelength at which that is 0")
+      ->capture_default_str()
+      ->needs(chromatic)
+      ->group(group);
+  auto* const effect = command
+                           .add_flag("--stiles-crawford", a.stiles_crawford,
+                                     "Light counts 10^(-rho r^2) as much off the peak")
+                           ->group(group);
+  command
+      .add_option("--stiles-crawford-rho-per-mm2", a.stiles_crawford_rho_per_mm2, "Its rho, 0 to 1")
+      ->capture_default_str()
+      ->needs(effect)
+      ->group(group);
+  command
+      .add_option("--stiles-crawford-peak-mm", a.stiles_crawford_peak_mm,
+                  "Its peak, right and up from the picture's middle")
+      ->expected(2)
+      ->type_name("X Y")
+      ->capture_default_str()
+      ->needs(effect)
+      ->group(group);
+}
+
+Aberrations aberrations(const TemplateArguments& a) {
+  Aberrations result;
+  const EyeParameters eye;
+  if (!a.has_images())
+    result.pupil_center = {eye.pupil.decentring_x_mm, -eye.pupil.decentring_y_mm};
+  result.defocus_dioptre = a.defocus_dioptre;
+  if (!a.zernike.empty()) result.zernike = read_zernike_file(a.zernike);
+  result.chromatic = a.chromatic;
+  result.focused_nm = a.focused_nm;
+  if (a.stiles_crawford)
+    result.stiles_crawford =
+        StilesCrawford{a.stiles_crawford_rho_per_mm2,
+                       {a.stiles_crawford_peak_mm[0], a.stiles_crawford_peak_mm[1]}};
+  require_valid(result);
+  return result;
+}
+
 void add_light_options(CLI::App& command, TemplateArguments& a) {
   command
       .add_option("--lamp", a.lamps,
@@ -167,6 +225,7 @@ void add_template_options(CLI::App& command, TemplateArguments& arguments) {
   add_output_options(command, arguments);
   add_aperture_options(command, arguments);
   add_scatter_options(command, arguments);
+  add_optics_options(command, arguments);
   add_light_options(command, arguments);
   add_picture_options(command, arguments);
 }
@@ -208,6 +267,7 @@ TemplateOptions template_options(const TemplateArguments& arguments) {
   TemplateOptions options;
   set_size(arguments.size, options);
   options.field_of_view_deg = arguments.fov_deg;
+  options.aberrations = aberrations(arguments);
   options.observer = arguments.observer;
   options.wavelength_range_nm = {arguments.wavelength_range_nm[0],
                                  arguments.wavelength_range_nm[1]};

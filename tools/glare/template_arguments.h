@@ -26,6 +26,13 @@ struct TemplateArguments {
   std::uint64_t seed = EyeParameters{}.seed;
   std::string scatter = "none";
   std::optional<double> age_years, pigment;  ///< Not given: those of `Straylight{}`.
+  double defocus_dioptre = 0;
+  std::string zernike;
+  bool chromatic = false;
+  double focused_nm = Aberrations{}.focused_nm;
+  bool stiles_crawford = false;
+  double stiles_crawford_rho_per_mm2 = StilesCrawford{}.rho_per_mm2;
+  std::vector<double> stiles_crawford_peak_mm = {0, 0};
   std::vector<std::string> lamps = {"D65"};
   std::string observer = TemplateOptions{}.observer;
   std::vector<double> wavelength_range_nm = {TemplateOptions{}.wavelength_range_nm.lo_nm,

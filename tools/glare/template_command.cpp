@@ -100,11 +100,14 @@ void make_templates(const std::vector<Task>& tasks, const TemplateArguments& arg
     if (!optics.serves(task->range)) optics.make_far_field(task->range, progress);
     const auto is_served = [&](const Task& other) { return optics.serves(other.range); };
     const auto next_far_field = std::find_if_not(task, tasks.end(), is_served);
-    if (next_far_field == tasks.end()) optics.release_aperture();
+    const bool has_phase = options.aberrations.has_phase();
+    if (next_far_field == tasks.end() && !has_phase) optics.release_aperture();
 
     options.progress = steps.next();
     GlareTemplate made =
-        make_template(optics.far_field(), task->lamp.spectrum, options, task->lamp.name);
+        has_phase
+            ? make_template(optics.aperture(), task->lamp.spectrum, options, task->lamp.name)
+            : make_template(optics.far_field(), task->lamp.spectrum, options, task->lamp.name);
     if (std::next(task) == next_far_field) optics.release_far_field();
     write_outputs(*task, made, arguments, console);
     tell_what_was_made(task->output.file, made, optics.aperture_size(), console);

@@ -37,6 +37,8 @@ void TemplateOptics::require_possible(const WavelengthRange& range) const {
 }
 
 bool TemplateOptics::serves(const WavelengthRange& range) const {
+  if (options_.aberrations.has_phase())
+    return aperture_ && (arguments_.has_images() || range_ == range);
   return far_field_ && same_far_field(*far_field_, options_, range_, range);
 }
 
@@ -44,12 +46,14 @@ void TemplateOptics::make_far_field(const WavelengthRange& range,
                                     const ProgressCallback& progress) {
   constexpr double kShareOfAperture = 0.2;
   release_far_field();
-  const bool same_eye = aperture_ && range.lo_nm == range_.lo_nm;
+  const bool same_eye = aperture_ && range.lo_nm == range_.lo_nm &&
+                        (!options_.aberrations.has_phase() || range == range_);
   if (!arguments_.has_images() && !same_eye)
     draw_eye(range, progress_part(progress, 0, kShareOfAperture));
   TemplateOptions options = options_;
   options.progress = progress_part(progress, kShareOfAperture, 1);
-  far_field_ = template_far_field(*aperture_, options, range);
+  if (!options_.aberrations.has_phase())
+    far_field_ = template_far_field(*aperture_, options, range);
   range_ = range;
   size_ = {aperture_->transmittance.width(), aperture_->transmittance.height(),
            aperture_->pixel_mm()};

@@ -26,9 +26,11 @@ class TemplateOptics {
   /// True where the far field that is held is the one for these wavelengths.
   bool serves(const WavelengthRange& range) const;
 
-  /// Makes the far field for these wavelengths, in place of the one that is held.
+  /// Makes the far field for these wavelengths, in place of the one that is held; where aberrations
+  /// shift the phase there is none for all of them, and only the aperture is made.
   void make_far_field(const WavelengthRange& range, const ProgressCallback& progress);
 
+  const Aperture& aperture() const { return *aperture_; }
   const FarField& far_field() const { return *far_field_; }
   const ApertureSize& aperture_size() const { return size_; }
 

@@ -50,6 +50,21 @@ std::vector<RecipeOption> recipe_options(const TemplateArguments& a, const Named
     options.push_back({"--age", {text_of(eye.age_years)}, {}});
     options.push_back({"--pigment", {text_of(eye.pigment)}, {}});
   }
+  if (a.defocus_dioptre != 0) options.push_back({"--defocus-d", {text_of(a.defocus_dioptre)}, {}});
+  add_file("--zernike", a.zernike);
+  if (a.chromatic) {
+    options.push_back({"--chromatic-aberration", {}, {}});
+    options.push_back({"--focused-nm", {text_of(a.focused_nm)}, {}});
+  }
+  if (a.stiles_crawford) {
+    options.push_back({"--stiles-crawford", {}, {}});
+    options.push_back(
+        {"--stiles-crawford-rho-per-mm2", {text_of(a.stiles_crawford_rho_per_mm2)}, {}});
+    options.push_back(
+        {"--stiles-crawford-peak-mm",
+         {text_of(a.stiles_crawford_peak_mm[0]), text_of(a.stiles_crawford_peak_mm[1])},
+         {}});
+  }
   // A file that is named like a built-in lamp is told from it by its folder.
   const bool ambiguous = !lamp.file.empty() && find_lamp(lamp.name).has_value();
   options.push_back({"--lamp", {(ambiguous ? "./" : "") + lamp.name}, lamp.file});

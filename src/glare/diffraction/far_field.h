@@ -32,6 +32,7 @@ struct FarFieldRequest {
 struct FarField {
   /// Row r, column c: the sample at kx = r + first_kx, ky = c + first_ky.
   Image<float> intensity_mm2;
+  bool odd = false;  ///< I(-f) = -I(f) instead: a part of another intensity.
   int first_kx = 0;
   int first_ky = 0;
   double bin_x_per_mm = 0;

@@ -69,16 +69,18 @@ void set_pixel(XyzImage& image, int x, int y, const std::array<float, 3>& xyz) {
 }
 
 /// Writes a tile and its mirror image through the axis. On the column dx = 0, which is its own
-/// mirror, the upper half serves both.
+/// mirror, the upper half serves both. `opposite` is the sign of the mirror image.
 void store(const Tile& tile, const std::array<std::vector<float>, 3>& xyz, const PixelGrid& grid,
-           XyzImage& image) {
+           float opposite, XyzImage& image) {
   std::size_t i = 0;
   for (int dy = tile.y0; dy < tile.y1; ++dy)
     for (int dx = tile.x0; dx < tile.x1; ++dx, ++i) {
       if (dx == 0 && dy > 0) continue;
       const std::array<float, 3> value = {xyz[0][i], xyz[1][i], xyz[2][i]};
       set_pixel(image, grid.center_x() + dx, grid.center_y() + dy, value);
-      set_pixel(image, grid.center_x() - dx, grid.center_y() - dy, value);
+      if (dx != 0 || dy != 0)
+        set_pixel(image, grid.center_x() - dx, grid.center_y() - dy,
+                  {opposite * value[0], opposite * value[1], opposite * value[2]});
     }
 }
 
@@ -104,7 +106,8 @@ void integrate_inner_pixels(const FarField& field, const PixelGrid& grid, int en
   const BoxInterpolation& interpolation = interpolation_for(field);
   const auto one_tile = [&](int i) {
     TileIntegrator integrator(field, grid.pitch_rad, interpolation);
-    store(tiles[i], integrator.integrate(tiles[i], *quadrature_of_tile[i]), grid, image);
+    store(tiles[i], integrator.integrate(tiles[i], *quadrature_of_tile[i]), grid,
+          field.odd ? -1.0f : 1.0f, image);
   };
   parallel_for(static_cast<int>(tiles.size()), threads, one_tile, progress);
 }

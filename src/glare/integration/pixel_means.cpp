@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace glare {
 
@@ -24,8 +25,8 @@ const PointInterpolation& radial_interpolation() {
 }  // namespace
 
 PixelMeans::PixelMeans(const RayXyz& rays, const RayBand& band, const SubPixels& sub,
-                       const PixelGrid& grid)
-    : rays_(rays), band_(band), sub_(sub), grid_(grid) {
+                       const PixelGrid& grid, bool odd)
+    : rays_(rays), band_(band), sub_(sub), grid_(grid), odd_(odd) {
   const int height = std::clamp(kLongestTile / sub.per_pixel, 1, kLongestTile);
   const int width = std::clamp(512 / sub.per_pixel, 16, 256);
   for (int y = band.begin_px; y < band.end_px; y += height) {
@@ -133,9 +134,10 @@ void PixelMeans::store_run(Image<float>& image, int x0, int y,
   if (opposite >= 0 && opposite < grid_.height) {
     const int begin = std::max(x0, grid_.center_x() - grid_.width + 1);
     const int end = std::min(x1, grid_.center_x() + 1);
-    if (begin < end)
-      std::reverse_copy(values.begin() + first_of(begin), values.begin() + first_of(end),
-                        image.row(opposite).begin() + grid_.center_x() - end + 1);
+    if (begin >= end) return;
+    const auto target = image.row(opposite).begin() + grid_.center_x() - end + 1;
+    std::reverse_copy(values.begin() + first_of(begin), values.begin() + first_of(end), target);
+    if (odd_) std::transform(target, target + (end - begin), target, std::negate<float>());
   }
 }
 

@@ -20,7 +20,8 @@ class PixelMeans {
     std::vector<float> turned;
   };
 
-  PixelMeans(const RayXyz& rays, const RayBand& band, const SubPixels& sub, const PixelGrid& grid);
+  PixelMeans(const RayXyz& rays, const RayBand& band, const SubPixels& sub, const PixelGrid& grid,
+             bool odd = false);
 
   int tile_count() const { return static_cast<int>(tiles_.size()); }
   /// Writes the tile's pixels and those opposite to the axis. Tiles may be computed at the same
@@ -49,6 +50,7 @@ class PixelMeans {
   RayBand band_;
   const SubPixels& sub_;
   PixelGrid grid_;
+  bool odd_;  ///< Pixels opposite to the axis have the other sign.
   std::vector<Tile> tiles_;
 };
 

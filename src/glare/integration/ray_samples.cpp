@@ -219,11 +219,16 @@ void RaySamples::transpose_rows(int begin, int end, int row0, int row1, float* t
   if (first < middle)
     transpose(source(-first, -row0), -stride, -1, middle - first, row1 - row0,
               target + (first - begin), span);
+  const float sign = field_.odd ? -1.0f : 1.0f;
+  if (field_.odd)
+    for (int ky = row0; ky < row1; ++ky)
+      for (int kx = first; kx < middle; ++kx)
+        target[(ky - row0) * (end - begin) + kx - begin] *= -1;
   if (middle < last)
     transpose(source(middle, row0), stride, 1, last - middle, row1 - row0,
               target + (middle - begin), span);
   for (int ky = row0; ky < row1; ++ky, target += span) {
-    std::fill(target, target + (first - begin), *source(last_kx, -ky));
+    std::fill(target, target + (first - begin), sign * *source(last_kx, -ky));
     std::fill(target + (last - begin), target + span, *source(last_kx, ky));
   }
 }

@@ -78,7 +78,8 @@ void integrate_bands(const FarField& field, const PixelGrid& grid, const SubPixe
     const RayBand& band = working.band;
     working.convolution = std::make_unique<RayConvolution>(
         field, band, resampled(light, band.fine_step), working.memory);
-    working.means = std::make_unique<PixelMeans>(working.convolution->result(), band, sub, grid);
+    working.means =
+        std::make_unique<PixelMeans>(working.convolution->result(), band, sub, grid, field.odd);
   };
   parallel_for(static_cast<int>(bands.size()), threads, prepare);
   for_all_tiles(

@@ -34,9 +34,10 @@ struct GlareTemplate {
   double per_steradian = 0;    ///< Multiply a luminance by this to have it per steradian.
   double captured_energy = 0;  ///< Share of all the light that falls on the pixels, 0 to 1.
 
-  Xyz lamp_xyz{};        ///< The lamp's colour at Y = 1 (before any adaptation of white).
-  std::string lamp;      ///< Name or file name.
-  std::string observer;  ///< Name.
+  Xyz lamp_xyz{};           ///< The lamp's colour at Y = 1 (before any adaptation of white).
+  std::string lamp;         ///< Name or file name.
+  std::string observer;     ///< Name.
+  std::string aberrations;  ///< Of the eye; empty where there are none.
   WavelengthRange wavelength_range_nm;
   double aperture_width_mm = 0;
   double aperture_area_mm2 = 0;  ///< The integral of t^2.

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 #include "glare/aperture/open_part.h"
 #include "glare/base/error.h"
 #include "glare/base/parallel.h"
 #include "glare/base/units.h"
 #include "glare/color/gamut.h"
+#include "glare/integration/aberrated_integral.h"
 #include "glare/scatter/straylight_pixels.h"
 #include "glare/spectrum/observer.h"
 
@@ -125,6 +128,65 @@ void normalize(GlareTemplate& glare_template) {
   glare_template.per_steradian = divisor;
 }
 
+void require_no_phase(const TemplateOptions& options) {
+  if (options.aberrations.has_phase())
+    throw OptionError(
+        "aberrations that shift the phase need another far field for each wavelength: make the "
+        "template from the aperture");
+}
+
+/// The aperture, or one with the Stiles-Crawford effect, if there is to be any, in `memory`.
+const Aperture& as_weighed(const Aperture& aperture, const Aberrations& aberrations,
+                           std::optional<Aperture>& memory) {
+  if (!aberrations.stiles_crawford) return aperture;
+  return memory.emplace(apodized(aperture, *aberrations.stiles_crawford, aberrations.pupil_center));
+}
+
+/// What a template tells of its aperture.
+struct ApertureNumbers {
+  double width_mm, area_mm2;
+};
+
+/// The share of the work that is done when straylight is added.
+double share_before_straylight(const TemplateOptions& options) { return options.scatter ? 0.9 : 1; }
+
+/// Adds the straylight, if there is to be any; the template has XYZ per steradian.
+void scatter(GlareTemplate& result, const TemplateOptions& options) {
+  result.scatter = options.scatter;
+  if (!options.scatter) return;
+  require_valid(*options.scatter);
+  result.scattered_energy = add_straylight(
+      *options.scatter, pixel_grid(options), result.lamp_xyz, options.threads,
+      progress_part(options.progress, share_before_straylight(options), 1), result.channels);
+}
+
+/// From XYZ per steradian of the diffracted light to the template.
+GlareTemplate finished_template(XyzImage xyz, const ApertureNumbers& aperture, const Spectrum& lamp,
+                                const TemplateOptions& options, const std::string& lamp_name) {
+  const auto& observer = color_matching_functions(options.observer);
+  const WavelengthRange range = effective_range(lamp, options);
+  GlareTemplate result;
+  result.channels = std::move(xyz);
+  result.lamp_xyz = xyz_from_spectrum(lamp, observer, range);
+  scatter(result, options);
+  result.color_space = options.color_space;
+  result.pixel_pitch_rad = pixel_grid(options).pitch_rad;
+  result.normalization = options.normalization;
+  result.captured_energy =
+      sum_of(result.channels[1]) * result.pixel_pitch_rad * result.pixel_pitch_rad;
+  result.lamp = lamp_name;
+  result.observer = observer.name;
+  result.aberrations = to_string(options.aberrations);
+  result.wavelength_range_nm = range;
+  result.aperture_width_mm = aperture.width_mm;
+  result.aperture_area_mm2 = aperture.area_mm2;
+  result.software = "glare " GLARE_VERSION;
+
+  convert(result.channels, rgb_from_observed_xyz(options, result.lamp_xyz), options);
+  normalize(result);
+  return result;
+}
+
 }  // namespace
 
 WavelengthRange effective_range(const Spectrum& lamp, const TemplateOptions& options) {
@@ -175,6 +237,7 @@ void require_far_field_possible(const Aperture& aperture, const TemplateOptions&
                                 const WavelengthRange& range) {
   require_valid(aperture);
   if (options.scatter) require_valid(*options.scatter);
+  require_valid(options.aberrations);
   require_within_reach(aperture.pixel_mm(), aperture.width_mm, pixel_grid(options),
                        options.field_of_view_deg, range.lo_nm);
   require_memory(open_size(aperture), options, range);
@@ -182,11 +245,13 @@ void require_far_field_possible(const Aperture& aperture, const TemplateOptions&
 
 FarField template_far_field(const Aperture& aperture, const TemplateOptions& options,
                             const WavelengthRange& range) {
+  require_no_phase(options);
   require_far_field_possible(aperture, options, range);
   FarFieldRequest request = far_field_request(open_size(aperture), options, range);
   request.threads = options.threads;
   request.progress = options.progress;
-  return far_field(aperture, request);
+  std::optional<Aperture> memory;
+  return far_field(as_weighed(aperture, options.aberrations, memory), request);
 }
 
 bool same_far_field(const FarField& field, const TemplateOptions& options,
@@ -202,44 +267,33 @@ bool same_far_field(const FarField& field, const TemplateOptions& options,
 
 GlareTemplate make_template(const FarField& field, const Spectrum& lamp,
                             const TemplateOptions& options, const std::string& lamp_name) {
-  constexpr double kShareOfIntegral = 0.9;
-  const auto& observer = color_matching_functions(options.observer);
-  const PixelGrid grid = pixel_grid(options);
+  require_no_phase(options);
   const WavelengthRange range = effective_range(lamp, options);
-  if (options.scatter) require_valid(*options.scatter);
-  const double integral_end = options.scatter ? kShareOfIntegral : 1;
-
-  GlareTemplate result;
-  result.channels = spectral_integral(field, grid, lamp, observer, range, options.threads,
-                                      progress_part(options.progress, 0, integral_end));
-  result.lamp_xyz = xyz_from_spectrum(lamp, observer, range);
-  result.scatter = options.scatter;
-  if (options.scatter)
-    result.scattered_energy =
-        add_straylight(*options.scatter, grid, result.lamp_xyz, options.threads,
-                       progress_part(options.progress, integral_end, 1), result.channels);
-  result.color_space = options.color_space;
-  result.pixel_pitch_rad = grid.pitch_rad;
-  result.normalization = options.normalization;
-  result.captured_energy = sum_of(result.channels[1]) * grid.pitch_rad * grid.pitch_rad;
-  result.lamp = lamp_name;
-  result.observer = observer.name;
-  result.wavelength_range_nm = range;
-  result.aperture_width_mm = field.aperture_width_mm;
-  result.aperture_area_mm2 = field.energy_area_mm2;
-  result.software = "glare " GLARE_VERSION;
-
-  convert(result.channels, rgb_from_observed_xyz(options, result.lamp_xyz), options);
-  normalize(result);
-  return result;
+  return finished_template(
+      spectral_integral(field, pixel_grid(options), lamp,
+                        color_matching_functions(options.observer), range, options.threads,
+                        progress_part(options.progress, 0, share_before_straylight(options))),
+      {field.aperture_width_mm, field.energy_area_mm2}, lamp, options, lamp_name);
 }
 
 GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
                             const TemplateOptions& options, const std::string& lamp_name) {
   constexpr double kShareOfFarField = 0.2;
+  const WavelengthRange range = effective_range(lamp, options);
+  if (options.aberrations.has_phase()) {
+    require_far_field_possible(aperture, options, range);
+    std::optional<Aperture> memory;
+    const Aperture& weighed = as_weighed(aperture, options.aberrations, memory);
+    const AberratedPupil pupil{weighed, options.aberrations};
+    return finished_template(
+        aberrated_integral(pupil, pixel_grid(options), lamp,
+                           color_matching_functions(options.observer), range, options.threads,
+                           progress_part(options.progress, 0, share_before_straylight(options))),
+        {weighed.width_mm, energy_area_mm2(weighed)}, lamp, options, lamp_name);
+  }
   TemplateOptions part = options;
   part.progress = progress_part(options.progress, 0, kShareOfFarField);
-  const FarField field = template_far_field(aperture, part, effective_range(lamp, options));
+  const FarField field = template_far_field(aperture, part, range);
   part.progress = progress_part(options.progress, kShareOfFarField, 1);
   return make_template(field, lamp, part, lamp_name);
 }
@@ -250,7 +304,14 @@ std::uint64_t template_bytes(const ApertureSize& aperture, const TemplateOptions
   const FarFieldRequest request = far_field_request(aperture, options, range);
   const double open_side_mm = std::max(aperture.width, aperture.height) * aperture.pixel_mm;
   constexpr int kChannels = 3;
-  return bytes_of<float>(aperture.width, aperture.height) +
+  const std::uint64_t sample_bytes = bytes_of<float>(aperture.width, aperture.height);
+  const std::uint64_t weighed_bytes = options.aberrations.stiles_crawford ? sample_bytes : 0;
+  if (options.aberrations.has_phase())
+    return sample_bytes + weighed_bytes +
+           aberrated_integral_bytes({aperture.width, aperture.height}, aperture.pixel_mm, grid,
+                                    range, options.threads) +
+           writing_bytes(grid.width, options.threads) + options.further_bytes;
+  return sample_bytes + weighed_bytes +
          far_field_bytes(aperture.width, aperture.height, aperture.pixel_mm, request) +
          kChannels * bytes_of<float>(grid.width, grid.height) +
          std::max(spectral_integral_bytes(open_side_mm, grid, range, options.threads),

@@ -14,6 +14,7 @@
 #include "glare/scatter/straylight.h"
 #include "glare/spectrum/spectrum.h"
 #include "glare/template/glare_template.h"
+#include "glare/wavefront/aberrations.h"
 
 namespace glare {
 
@@ -42,6 +43,9 @@ struct TemplateOptions {
   WhiteAdaptation white = WhiteAdaptation::none;
   Normalization normalization = Normalization::peak;
   GamutMapping gamut = GamutMapping::keep;
+  /// Of the eye. What shifts the phase depends on wavelength, so that no one far field serves all:
+  /// only the one-step `make_template` takes it, and the two-step functions throw `OptionError`.
+  Aberrations aberrations;
   int threads = 0;                       ///< 0: as many as the machine has.
   std::uint64_t memory_limit_bytes = 0;  ///< 0: no limit.
   std::uint64_t further_bytes = 0;       ///< What the caller takes beside, within the limit.

@@ -11,6 +11,7 @@
 #include "glare/aperture/eye/eye_drawing.h"
 #include "glare/base/error.h"
 #include "glare/base/units.h"
+#include "glare/wavefront/wavefront_map.h"
 
 namespace glare {
 
@@ -53,6 +54,18 @@ class FineEyeRows {
   std::vector<float> shapes_;
 };
 
+/// By how much aberrations widen the field: what is seen in a direction comes from frequencies of
+/// the transmittance that are as far beyond it as the wavefront is steep.
+double phase_field_rad(const EyeParameters& parameters, const TemplateOptions& options,
+                       const WavelengthRange& range) {
+  require_valid(options.aberrations);
+  if (!options.aberrations.has_phase()) return 0;
+  const auto& center = options.aberrations.pupil_center;
+  const double radius_mm =
+      eye_picture_width_mm(parameters) / 2 + std::hypot(center.x_mm, center.y_mm);
+  return 2 * steepest_slope_rad(options.aberrations, radius_mm, range);
+}
+
 [[noreturn]] void throw_too_wide(double widest_rad, const PixelGrid& grid) {
   char text[160];
   std::snprintf(text, sizeof text,
@@ -69,7 +82,8 @@ ApertureSize template_eye_size(const EyeParameters& parameters, const TemplateOp
   require_valid(parameters);
   const PixelGrid grid = pixel_grid(options);
   const double field_rad = grid.pitch_rad * std::max(grid.width, grid.height);
-  const double pixel_mm = std::min(kCoarsest_mm, pixel_for(field_rad, range));
+  const double pixel_mm = std::min(
+      kCoarsest_mm, pixel_for(field_rad + phase_field_rad(parameters, options, range), range));
   const double width_mm = eye_picture_width_mm(parameters);
   const double finest_mm = width_mm / kWidest;
   if (pixel_mm < finest_mm) throw_too_wide(field_of_pixel_rad(finest_mm, range), grid);

@@ -68,6 +68,7 @@ void insert_attributes(Imf::Header& header, const GlareTemplate& t) {
   insert_float(header, "glare:apertureWidth_mm", t.aperture_width_mm);
   insert_float(header, "glare:apertureArea_mm2", t.aperture_area_mm2);
   if (t.scatter) insert_scatter(header, *t.scatter, t.scattered_energy);
+  if (!t.aberrations.empty()) insert_string(header, "glare:aberrations", t.aberrations);
   insert_string(header, "glare:recipe", t.recipe);
   insert_string(header, "glare:software", t.software);
 }
@@ -167,6 +168,8 @@ void read_attributes(const AttributeReader& reader, GlareTemplate& t) {
   t.aperture_width_mm = reader.positive("glare:apertureWidth_mm");
   t.aperture_area_mm2 = reader.positive("glare:apertureArea_mm2");
   read_scatter(reader, t);
+  if (reader.header().find("glare:aberrations") != reader.header().end())
+    t.aberrations = reader.text("glare:aberrations");
   t.recipe = reader.text("glare:recipe");
   t.software = reader.text("glare:software");
 }
