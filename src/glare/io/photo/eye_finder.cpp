@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kCandidates = 24;
 constexpr double kSearchWidth_px = 320;
+/// Of the edge, seen: less may be a part of the pupil's and of a glint's.
+constexpr double kWhole = 0.72;
 
 bool contains(const PupilEllipse& e, cv::Point2d place) {
   const cv::Point2d from = place - e.center;
@@ -35,13 +37,16 @@ std::vector<SeenPupil> seen_pupils(const Picture& picture,
     circle.center = factor * (circle.center + cv::Point2d(0.5, 0.5)) - cv::Point2d(0.5, 0.5);
     circle.radius *= factor;
     if (pupil_at && cv::norm(*pupil_at - circle.center) > 1.3 * circle.radius) continue;
-    const auto ellipse = fitted_pupil(picture, circle);
-    if (!ellipse || (pupil_at && !contains(*ellipse, *pupil_at))) continue;
-    const Evidence evidence = evidence_for(picture, *ellipse);
-    seen.push_back({*ellipse, evidence, confidence(evidence, *ellipse, pupil_at.has_value())});
+    // The shorter reach finds a faint edge near to a strong one, such as the limbus.
+    for (const double reach : {0.45, 0.22}) {
+      const auto ellipse = fitted_pupil(picture, circle, reach);
+      if (!ellipse || (pupil_at && !contains(*ellipse, *pupil_at))) continue;
+      const Evidence evidence = evidence_for(picture, *ellipse);
+      seen.push_back({*ellipse, evidence, confidence(evidence, *ellipse, pupil_at.has_value())});
+    }
   }
   std::stable_sort(seen.begin(), seen.end(), [](const SeenPupil& a, const SeenPupil& b) {
-    return a.confidence > b.confidence;
+    return a.confidence * a.evidence.support > b.confidence * b.evidence.support;
   });
   return seen;
 }
@@ -55,7 +60,7 @@ std::optional<SeenPupil> likeliest_pupil(const Picture& picture,
   SeenPupil best = seen.front();
   for (const SeenPupil& other : seen)
     if (other.confidence >= kLeastConfidence && is_within(other.ellipse, best.ellipse) &&
-        other.evidence.inside <= best.evidence.inside)
+        other.evidence.support >= kWhole && other.evidence.inside <= best.evidence.inside)
       best = other;
   return best;
 }

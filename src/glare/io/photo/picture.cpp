@@ -45,13 +45,35 @@ cv::Mat ellipse_of(double radius) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side});
 }
 
-/// Small and much brighter than what is around.
+/// Leaves the compact parts only, which a lamp's image in the cornea is, and no strip of skin.
+cv::Mat1b compact_parts(const cv::Mat1b& found) {
+  cv::Mat1i labels;
+  cv::Mat statistics, centers;
+  const int count = cv::connectedComponentsWithStats(found, labels, statistics, centers, 8, CV_32S);
+  std::vector<unsigned char> compact(static_cast<std::size_t>(count), 0);
+  for (int i = 1; i < count; ++i) {
+    const double width = statistics.at<int>(i, cv::CC_STAT_WIDTH);
+    const double height = statistics.at<int>(i, cv::CC_STAT_HEIGHT);
+    const double area = statistics.at<int>(i, cv::CC_STAT_AREA);
+    if (area > 0.55 * width * height && std::max(width, height) < 1.8 * std::min(width, height))
+      compact[static_cast<std::size_t>(i)] = 255;
+  }
+  cv::Mat1b kept(found.size());
+  for (int y = 0; y < found.rows; ++y)
+    for (int x = 0; x < found.cols; ++x)
+      kept(y, x) = compact[static_cast<std::size_t>(labels(y, x))];
+  return kept;
+}
+
+/// Small and much brighter than what is around, or larger and compact.
 cv::Mat1b glints_of(const cv::Mat1f& image, double unit) {
-  cv::Mat1f top;
-  cv::morphologyEx(image, top, cv::MORPH_TOPHAT, ellipse_of(8 * unit));
-  cv::Mat1b found = top > 0.22f;
-  cv::dilate(found, found, ellipse_of(1.5 * unit));
-  return found;
+  cv::Mat1f small, large;
+  cv::morphologyEx(image, small, cv::MORPH_TOPHAT, ellipse_of(8 * unit));
+  cv::morphologyEx(image, large, cv::MORPH_TOPHAT, ellipse_of(18 * unit));
+  const cv::Mat1b found = (small > 0.22f) | compact_parts(large > 0.35f);
+  cv::Mat1b wide;
+  cv::dilate(found, wide, ellipse_of(1.5 * unit));
+  return wide;
 }
 
 cv::Mat1f without(const cv::Mat1f& image, const cv::Mat1b& glints, double unit) {

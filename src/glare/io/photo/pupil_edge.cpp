@@ -64,7 +64,8 @@ std::vector<WeightedPoint> strong_points(const std::vector<EdgePoint>& edge,
     if (p.step > 0) steps.push_back(p.step);
   const float usual = quantile(steps, 0.5);
   std::vector<WeightedPoint> points;
-  for (const EdgePoint& p : edge) {
+  for (std::size_t k = 0; k < edge.size(); k += 2) {
+    const EdgePoint& p = edge[k];
     if (p.step < std::max(0.3f * usual, noise)) continue;
     const double r = p.ratio * ellipse.radius_at(p.direction_rad);
     points.push_back({cv::Point2d(ellipse.center.x + r * std::cos(p.direction_rad),
@@ -90,8 +91,8 @@ std::optional<PupilEllipse> refit(const PupilEllipse& e, const std::vector<Weigh
 
 std::optional<PupilEllipse> agreed_ellipse(const std::vector<WeightedPoint>& points,
                                            const PupilEllipse& start) {
-  constexpr int kTrials = 250;
-  if (points.size() < kEdgePoints / 4) return std::nullopt;
+  constexpr int kTrials = 120;
+  if (points.size() < kEdgePoints / 10) return std::nullopt;
   std::uint64_t state = 1;
   std::optional<PupilEllipse> best;
   double most = 0;
@@ -155,10 +156,12 @@ std::vector<EdgePoint> edge_points(const Picture& picture, const PupilEllipse& e
   return edge;
 }
 
-std::optional<PupilEllipse> fitted_pupil(const Picture& picture, const Circle& start) {
+std::optional<PupilEllipse> fitted_pupil(const Picture& picture, const Circle& start,
+                                         double reach) {
   PupilEllipse ellipse{start.center, start.radius, start.radius, 0};
-  for (const double reach : {0.45, 0.3, 0.2}) {
-    const auto points = strong_points(edge_points(picture, ellipse, reach), ellipse, picture.noise);
+  for (const double part : {1.0, 0.67, 0.45}) {
+    const auto points =
+        strong_points(edge_points(picture, ellipse, part * reach), ellipse, picture.noise);
     const auto better = agreed_ellipse(points, ellipse);
     if (!better) return std::nullopt;
     ellipse = *better;

@@ -24,8 +24,9 @@ std::vector<EdgePoint> edge_points(const Picture& picture, const PupilEllipse& e
                                    double reach);
 
 /// The ellipse on which most of the edge lies: random sample consensus (M. Fischler and R. Bolles,
-/// 1981) on the strongest edges, starting from a circle, so that the straight edge of a lid, lashes
-/// and glints have no weight. Nothing where there is none, or one flatter than 0.6.
-std::optional<PupilEllipse> fitted_pupil(const Picture& picture, const Circle& start);
+/// 1981) on the strongest edges, starting
+/// from a circle, whose radius may be wrong by a share of `reach`, so that the straight edge of a
+/// lid, lashes and glints have no weight. Nothing where there is none, or one flatter than 0.6.
+std::optional<PupilEllipse> fitted_pupil(const Picture& picture, const Circle& start, double reach);
 
 }  // namespace glare::photo
