@@ -45,6 +45,24 @@ void measure_edge(const Picture& picture, const PupilEllipse& pupil, Evidence& e
   evidence.fit = supported > 0 ? std::sqrt(squares / supported) : 1;
 }
 
+/// Left, right and below: where no lid is.
+double ring_evenness_of(const Picture& p, const PupilEllipse& e, const Limbus& limbus,
+                        double contrast) {
+  std::vector<float> values;
+  for (int k = 0; k < 48; ++k) {
+    const double angle = (-30 + 240.0 * k / 47) * std::numbers::pi / 180;
+    const double inner = 1.15 * e.radius_at(angle), outer = 0.88 * limbus.radius;
+    for (int i = 0; i < 5 && outer > inner; ++i) {
+      const double r = inner + (outer - inner) * i / 4;
+      const float value =
+          sample(p.smooth, e.center.x + r * std::cos(angle), e.center.y + r * std::sin(angle));
+      if (value >= 0) values.push_back(value);
+    }
+  }
+  if (values.empty()) return 1.9;  // The ring is too narrow to tell.
+  return contrast / (quantile(values, 0.75) - quantile(values, 0.2) + p.noise);
+}
+
 }  // namespace
 
 Evidence evidence_for(const Picture& picture, const PupilEllipse& pupil) {
@@ -59,14 +77,17 @@ Evidence evidence_for(const Picture& picture, const PupilEllipse& pupil) {
   evidence.noise = picture.noise;
   measure_edge(picture, pupil, evidence);
   evidence.limbus = found_limbus(picture, pupil);
+  if (evidence.limbus)
+    evidence.ring_evenness = ring_evenness_of(picture, pupil, *evidence.limbus, evidence.contrast);
   return evidence;
 }
 
 double limbus_confidence(const Evidence& e, const PupilEllipse& pupil) {
   if (!e.limbus) return 0;
   const double ratio = pupil.mean_radius() / e.limbus->radius;
-  return rising(e.limbus->contrast, 2 * e.noise, 8 * e.noise) *
-         rising(e.limbus->agreement, 0.4, 0.75) * rising(ratio, 0.14, 0.2);
+  return rising(e.limbus->contrast, 5 * e.noise, 17 * e.noise) *
+         rising(e.limbus->agreement, 0.4, 0.75) * rising(ratio, 0.14, 0.2) *
+         rising(e.ring_evenness, 1.1, 2.4);
 }
 
 double confidence(const Evidence& e, const PupilEllipse& pupil, bool chosen) {
@@ -74,7 +95,7 @@ double confidence(const Evidence& e, const PupilEllipse& pupil, bool chosen) {
                       rising(0.06 - e.fit, 0, 0.03);
   const double dark = rising(e.contrast, 2 * e.noise, 6 * e.noise) * rising(e.evenness, 0.8, 2.5) *
                       rising(0.6 - e.inside, 0, 0.25);
-  const double iris = limbus_confidence(e, pupil);
+  const double iris = rising(limbus_confidence(e, pupil), 0.35, 0.75);
   return std::cbrt(edge * dark * (chosen ? 0.5 + 0.5 * iris : iris));
 }
 

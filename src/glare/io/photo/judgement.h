@@ -17,6 +17,7 @@ struct Evidence {
   double contrast = 0;   ///< Median grey value outside less that inside.
   double evenness = 0;   ///< Contrast over the spread inside.
   double inside = 0;     ///< Median grey value inside.
+  double ring_evenness = 0;  ///< Contrast over the spread of the ring between pupil and limbus.
   double noise = 0;
   std::optional<Limbus> limbus;
 };

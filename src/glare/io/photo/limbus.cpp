@@ -58,6 +58,10 @@ Limbus measured(const Picture& p, cv::Point2d center, double radius, std::vector
   return limbus;
 }
 
+double merit(const Limbus& limbus) {
+  return limbus.contrast * std::max(0.0, limbus.agreement - 0.3);
+}
+
 }  // namespace
 
 std::optional<Limbus> found_limbus(const Picture& picture, const PupilEllipse& pupil) {
@@ -70,7 +74,7 @@ std::optional<Limbus> found_limbus(const Picture& picture, const PupilEllipse& p
       for (int i = -3; i <= 3; ++i) {
         const cv::Point2d center = pupil.center + cv::Point2d(i * room / 3, j * room / 2);
         const Limbus limbus = measured(picture, center, radius, steps);
-        if (limbus.contrast > best.contrast) best = limbus;
+        if (merit(limbus) > merit(best)) best = limbus;
       }
   }
   if (best.radius <= 0 || best.contrast < picture.noise) return std::nullopt;

@@ -54,7 +54,8 @@ double consensus(const PupilEllipse& e, const std::vector<WeightedPoint>& points
     const double off = (distance_ratio(e, p.place) - 1) / kInlier;
     if (std::abs(off) < 1) sum += p.weight * (1 - off * off);
   }
-  return sum;
+  // A lid that cuts the pupil flattens an ellipse through all of the edge; few pupils are flat.
+  return sum * e.b / e.a;
 }
 
 std::vector<WeightedPoint> strong_points(const std::vector<EdgePoint>& edge,
