@@ -17,7 +17,7 @@ endforeach()
 # The modules: in a folder of this version beside libglare_io, as src/glare/CMakeLists.txt has it.
 if(BUILD_SHARED_LIBS)
   set(module_folder glare-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  install(TARGETS glare_image_codec glare_color_config
+  install(TARGETS glare_image_codec glare_color_config glare_eye_photo
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${module_folder})
 endif()
 if(GLARE_BUILD_TOOLS)
@@ -29,7 +29,7 @@ configure_package_config_file(cmake/glareConfig.cmake.in ${package_build_dir}/gl
 write_basic_package_version_file(${package_build_dir}/glareConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${package_build_dir}/glareConfig.cmake ${package_build_dir}/glareConfigVersion.cmake
-              cmake/GlareLibraries.cmake
+              cmake/GlareLibraries.cmake cmake/FindOpenCVParts.cmake
         DESTINATION ${package_dir})
 
 # Static libraries leave it to the program to link what they stand on.

@@ -3,6 +3,7 @@
 # releases. OUT_MISSING becomes the list of those that aren't there, each with its Debian package.
 # Used by Glare's own build and, where Glare was built as static libraries, by its package config.
 function(glare_find_libraries out_missing)
+  list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_FUNCTION_LIST_DIR})  # FindOpenCVParts.cmake
   set(missing "")
   find_package(PkgConfig QUIET)
   if(NOT PkgConfig_FOUND)
@@ -32,11 +33,13 @@ function(glare_find_libraries out_missing)
     pkg_check_modules(CRYPTO QUIET IMPORTED_TARGET libcrypto)
     find_package(OpenImageIO CONFIG QUIET)
     glare_drop_missing_include_folders(OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util)
+    find_package(OpenCVParts MODULE QUIET)
     foreach(library "Imath::Imath|Imath 3 (libimath-dev)"
                     "OpenEXR::OpenEXR|OpenEXR 3 (libopenexr-dev)"
                     "PkgConfig::OCIO|OpenColorIO 2 (libopencolorio-dev)"
                     "PkgConfig::CRYPTO|OpenSSL's libcrypto (libssl-dev)"
-                    "OpenImageIO::OpenImageIO|OpenImageIO 2.4 (libopenimageio-dev, openimageio-tools)")
+                    "OpenImageIO::OpenImageIO|OpenImageIO 2.4 (libopenimageio-dev, openimageio-tools)"
+                    "OpenCVParts::OpenCVParts|OpenCV 4: core, imgproc, photo (libopencv-core-dev, libopencv-imgproc-dev, libopencv-photo-dev)")
       glare_note_missing(missing "${library}")
     endforeach()
   endif()

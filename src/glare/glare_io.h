@@ -4,6 +4,7 @@
 #include "glare/io/aperture_file.h"
 #include "glare/io/atomic_file.h"
 #include "glare/io/color_config.h"
+#include "glare/io/eye_photo.h"
 #include "glare/io/image_file.h"
 #include "glare/io/lamp_file.h"
 #include "glare/io/memory.h"

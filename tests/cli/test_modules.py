@@ -10,7 +10,8 @@ import cli
 from cli import GlareTest
 
 SPACE = ("--ocio", "studio.ocio", "--colorspace", "studio")
-HEAVY = ("OpenImageIO", "OpenColorIO", "glare_image_codec", "glare_color_config")
+HEAVY = ("OpenImageIO", "OpenColorIO", "glare_image_codec", "glare_color_config", "opencv",
+         "glare_eye_photo")
 CONFIG = """ocio_profile_version: 2
 search_path: ""
 roles: {cie_xyz_d65_interchange: studio, default: studio}

@@ -15,5 +15,7 @@ using Command = std::function<void()>;
 Command add_template_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_lamps_command(CLI::App& program);
+Command add_aperture_command(CLI::App& program);
+Command add_aperture_photo_command(CLI::App& aperture);
 
 }  // namespace glare::tool

@@ -53,6 +53,29 @@ TransmittanceImage transmittance_from(Bytes bytes, uint64_t max_bytes) {
   return image_io::interpreted(pixels, format.names_channels);
 }
 
+Photograph photograph_from(Bytes bytes, uint64_t max_bytes) {
+  const Format& format = image_io::recognized_format(bytes);
+  const Pixels pixels = pixels_of(format, std::move(bytes), max_bytes);
+  return image_io::photograph_of(pixels, format.names_channels);
+}
+
+/// What `read` makes of the file's bytes, with every exception as a public one.
+template <typename Read>
+auto read_picture(const std::filesystem::path& path, uint64_t max_bytes, const Read& read) {
+  const std::string place = path.string();
+  try {
+    return read(read_limited(path, max_bytes), max_bytes);
+  } catch (const BadImage& bad) {
+    throw InputError(place, bad.what());
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw MemoryError(max_bytes, max_bytes);
+  } catch (const std::exception& error) {
+    throw InputError(place, "the data are damaged: " + image_io::one_line(error.what()));
+  }
+}
+
 /// Thresholds of an 8 x 8 ordered dither: each of (2 i + 1) / 128 once, evenly spread.
 float dither_threshold(int x, int y) {
   unsigned rank = 0;
@@ -68,18 +91,11 @@ float limited(float value) { return value > 0 ? std::min(value, 1.0f) : 0.0f; }
 }  // namespace
 
 TransmittanceImage read_transmittance(const std::filesystem::path& path, uint64_t max_bytes) {
-  const std::string place = path.string();
-  try {
-    return transmittance_from(read_limited(path, max_bytes), max_bytes);
-  } catch (const BadImage& bad) {
-    throw InputError(place, bad.what());
-  } catch (const Error&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw MemoryError(max_bytes, max_bytes);
-  } catch (const std::exception& error) {
-    throw InputError(place, "the data are damaged: " + image_io::one_line(error.what()));
-  }
+  return read_picture(path, max_bytes, transmittance_from);
+}
+
+Photograph read_photograph(const std::filesystem::path& path, uint64_t max_bytes) {
+  return read_picture(path, max_bytes, photograph_from);
 }
 
 std::vector<std::byte> encode_png_rgb8(const Image<std::array<float, 3>>& display_rgb) {
@@ -104,6 +120,11 @@ std::vector<std::byte> encode_png_gray16(const Image<float>& values) {
     samples.push_back(static_cast<uint16_t>(std::lround(limited(value) * 65535)));
   }
   return image_io::encoded_png_gray16(values.width(), values.height(), samples);
+}
+
+std::vector<std::byte> encode_png_gray8(const Image<uint8_t>& values) {
+  if (values.empty()) throw OutputError("PNG", "the picture has no pixels");
+  return image_io::encoded_png_gray8(values.width(), values.height(), values.values());
 }
 
 }  // namespace glare

@@ -51,4 +51,8 @@ std::vector<std::byte> encode_png_rgb8(const Image<std::array<float, 3>>& displa
 /// `OutputError` for a picture without pixels.
 std::vector<std::byte> encode_png_gray16(const Image<float>& values);
 
+/// An 8-bit grey PNG file of a mask, without a transfer curve. Throws `OutputError` for a picture
+/// without pixels.
+std::vector<std::byte> encode_png_gray8(const Image<std::uint8_t>& values);
+
 }  // namespace glare

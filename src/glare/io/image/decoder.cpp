@@ -96,6 +96,10 @@ Bytes encoded_png_gray16(int width, int height, std::span<const uint16_t> sample
   return encoded_png({width, height, 1, 16, false, samples.data()});
 }
 
+Bytes encoded_png_gray8(int width, int height, std::span<const uint8_t> samples) {
+  return encoded_png({width, height, 1, 8, false, samples.data()});
+}
+
 std::string one_line(std::string message) {
   while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back()))) {
     message.pop_back();

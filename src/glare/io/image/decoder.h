@@ -40,6 +40,9 @@ Bytes encoded_png_rgb8(int width, int height, std::span<const std::uint8_t> samp
 /// A PNG file of `width` x `height` samples. Throws `OutputError`.
 Bytes encoded_png_gray16(int width, int height, std::span<const std::uint16_t> samples);
 
+/// The same of 8 bits.
+Bytes encoded_png_gray8(int width, int height, std::span<const std::uint8_t> samples);
+
 /// A message of a decoder as one line; a common one where there is none.
 std::string one_line(std::string message);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <string_view>
 
 #include "glare/io/image/image_header.h"
@@ -127,6 +128,32 @@ TransmittanceImage interpreted(const Pixels& pixels, bool by_name) {
                               " are used");
   }
   result.transmittance = transmittance_of(pixels, roles);
+  return result;
+}
+
+Photograph photograph_of(const Pixels& pixels, bool by_name) {
+  const Roles roles = by_name ? roles_by_name(pixels.names) : roles_by_position(pixels.channels);
+  Photograph result;
+  result.rgb = RgbImage(pixels.full_width, pixels.full_height);
+  float largest = 1;
+  const auto value_at = [&](int column, int row, int channel) {
+    const float value = pixels(column, row, channel);
+    if (!(value >= 0 && value <= std::numeric_limits<float>::max()))
+      throw BadImage("pixel (" + std::to_string(pixels.x + column) + ", " +
+                     std::to_string(pixels.y + row) + ") is negative or not a number");
+    largest = std::max(largest, value);
+    return value;
+  };
+  const int last_row = std::min(pixels.height, pixels.full_height - pixels.y);
+  const int last_column = std::min(pixels.width, pixels.full_width - pixels.x);
+  for (int row = std::max(0, -pixels.y); row < last_row; ++row)
+    for (int column = std::max(0, -pixels.x); column < last_column; ++column)
+      for (std::size_t k = 0; k < 3; ++k)
+        result.rgb(pixels.x + column, pixels.y + row)[k] =
+            value_at(column, row, roles.color[roles.grey() ? 0 : k]);
+  for (auto& pixel : result.rgb.values())
+    for (float& value : pixel) value /= largest;
+  if (roles.alpha >= 0) result.warnings.push_back("the alpha channel is ignored");
   return result;
 }
 

@@ -1,6 +1,7 @@
 // From the channels of a decoded picture to transmittances. Internal.
 #pragma once
 
+#include "glare/io/eye_photo.h"
 #include "glare/io/image/decoder.h"
 #include "glare/io/image_file.h"
 
@@ -10,5 +11,9 @@ namespace glare::image_io {
 /// the luminance of three, or of an alpha that alone varies. `by_name`: channels go by their names,
 /// not by their places. Throws `BadImage` for other channels, and for a value outside 0 to 1.001.
 TransmittanceImage interpreted(const Pixels& pixels, bool by_name);
+
+/// The same channels as a colour picture; of more than 1, it is divided by its largest value.
+/// Throws `BadImage` for other channels, and for a value that is negative or not finite.
+Photograph photograph_of(const Pixels& pixels, bool by_name);
 
 }  // namespace glare::image_io

@@ -8,4 +8,6 @@ const ImageCodec& image_codec() { return glare_image_codec; }
 
 const ColorConfigReader& color_config_reader() { return glare_color_config; }
 
+const EyePhotoReader& eye_photo_reader() { return glare_eye_photo; }
+
 }  // namespace glare::module

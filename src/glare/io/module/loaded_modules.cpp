@@ -20,6 +20,7 @@ struct ModuleFile {
 
 constexpr ModuleFile kImageCodec = {"glare_image_codec", "reading and writing pictures"};
 constexpr ModuleFile kColorConfig = {"glare_color_config", "using an OpenColorIO config"};
+constexpr ModuleFile kEyePhoto = {"glare_eye_photo", "finding an eye in a photograph"};
 
 std::filesystem::path this_library() {
   static const char within = 0;
@@ -62,6 +63,11 @@ const ImageCodec& image_codec() {
 
 const ColorConfigReader& color_config_reader() {
   static const ColorConfigReader& reader = loaded<ColorConfigReader>(kColorConfig);
+  return reader;
+}
+
+const EyePhotoReader& eye_photo_reader() {
+  static const EyePhotoReader& reader = loaded<EyePhotoReader>(kEyePhoto);
   return reader;
 }
 
