@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glare/aperture/aperture.h"
+#include "glare/aperture/diaphragm.h"
 #include "glare/aperture/eye.h"
 #include "glare/base/error.h"
 #include "glare/base/image.h"
