@@ -17,7 +17,7 @@ constexpr double kWidth_mm = 8;
 
 Aperture eight_millimetre_eye(int samples) {
   EyeParameters parameters;
-  parameters.pupil_diameter_mm *= kWidth_mm / eye_picture_width_mm(parameters);
+  parameters.pupil.diameter_mm *= kWidth_mm / eye_picture_width_mm(parameters);
   return draw_eye(parameters, kWidth_mm / samples * (1 + 1e-9));
 }
 

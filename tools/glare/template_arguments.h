@@ -22,7 +22,7 @@ struct TemplateArguments {
   std::string output, preview;
   std::string pupil, eyelashes;
   std::optional<double> width_mm;
-  double pupil_diameter_mm = EyeParameters{}.pupil_diameter_mm;
+  double pupil_diameter_mm = EyeParameters{}.pupil.diameter_mm;
   std::uint64_t seed = EyeParameters{}.seed;
   std::vector<std::string> lamps = {"D65"};
   std::string observer = TemplateOptions{}.observer;

@@ -12,7 +12,7 @@ namespace {
 
 EyeParameters eye_parameters(const TemplateArguments& arguments) {
   EyeParameters eye;
-  eye.pupil_diameter_mm = arguments.pupil_diameter_mm;
+  eye.pupil.diameter_mm = arguments.pupil_diameter_mm;
   eye.seed = arguments.seed;
   return eye;
 }

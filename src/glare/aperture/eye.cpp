@@ -36,15 +36,20 @@ int picture_width(double width_mm, double pupil_diameter_mm, double max_pixel_mm
 }  // namespace
 
 void require_valid(const EyeParameters& p) {
-  require_in_range("pupil_diameter_mm", p.pupil_diameter_mm, 1, 10);
-  require_in_range("eyelash_count", p.eyelash_count, 0, 1000);
-  require_in_range("eyelash_root_width_mm", p.eyelash_root_width_mm, 1e-6, 0.5);
-  require_in_range("eyelash_reach", p.eyelash_reach, 0, 1);
-  require_in_range("eyelash_fan_deg", p.eyelash_fan_deg, 0, 60);
+  require_in_range("pupil diameter_mm", p.pupil.diameter_mm, 1, 10);
+  require_in_range("lash count", p.upper_lashes.count, 0, 1000);
+}
+
+EyelashParameters EyelashParameters::lower() {
+  EyelashParameters lashes;
+  lashes.count = 75;
+  lashes.length_mm = 7;
+  lashes.droop_deg = -10;
+  return lashes;
 }
 
 double eye_picture_width_mm(const EyeParameters& parameters) {
-  return picture_per_pupil * parameters.pupil_diameter_mm;
+  return picture_per_pupil * parameters.pupil.diameter_mm;
 }
 
 double finest_eye_pixel_mm(const EyeParameters& parameters) {
@@ -56,7 +61,7 @@ Aperture draw_eye(const EyeParameters& parameters, double max_pixel_mm, int thre
   require_valid(parameters);
   Aperture eye;
   eye.width_mm = eye_picture_width_mm(parameters);
-  const int size = picture_width(eye.width_mm, parameters.pupil_diameter_mm, max_pixel_mm);
+  const int size = picture_width(eye.width_mm, parameters.pupil.diameter_mm, max_pixel_mm);
   eye.transmittance = Image<float>(size, size);
 
   const Grid grid{size, eye.width_mm / size};
@@ -68,7 +73,7 @@ Aperture draw_eye(const EyeParameters& parameters, double max_pixel_mm, int thre
     const int end = std::min(size, (task + 1) * rows_per_task);
     for (int y = task * rows_per_task; y < end; ++y) {
       const std::span<float> row = eye.transmittance.row(y);
-      const Columns open = draw_pupil_row(grid, y, parameters.pupil_diameter_mm / 2, row);
+      const Columns open = draw_pupil_row(grid, y, parameters.pupil.diameter_mm / 2, row);
       for (const Hair& hair : hairs) hair.draw_row(grid, y, open, covered, row);
     }
   };

@@ -1,5 +1,5 @@
-// The built-in eye: a round pupil with the upper lid's eyelashes in front of it, drawn rather than
-// photographed, so that it can be had at any resolution.
+// The built-in eye: pupil, eyelids and eyelashes after anatomy, drawn rather than photographed, so
+// that it can be had at any resolution and at any time.
 #pragma once
 
 #include <cstdint>
@@ -9,45 +9,99 @@
 
 namespace glare {
 
-/// What the built-in eye looks like. The lids are narrowed, as against a bright lamp at night: the
-/// upper lid's margin lies just above the pupil and its lashes hang in front of the pupil.
+/// The pupil as seen from outside. Its outline is an ellipse with the small irregularities of an
+/// iris; whatever they are, its area is that of a disc of `diameter_mm`.
+struct PupilParameters {
+  /// 1 to 10 mm. See `pupil_diameter_mm` (pupil_diameter.h) for that of an adapted eye.
+  double diameter_mm = 6.5;
+  /// Shorter axis over the longer one, 0.5 to 1. Healthy pupils are within some percent of round
+  /// (Wyatt, Vision Research 35, 1995).
+  double axis_ratio = 0.97;
+  /// Of the longer axis, -180 to 180, anticlockwise from the right as one looks at the picture.
+  double longer_axis_deg = 80;
+  /// Where the pupil's centre is, right and down of the eye's axis, -1 to 1. The pupil's centre is
+  /// some tenths of a millimetre nasal of the cornea's, and moves as it dilates (Yang, Thompson and
+  /// Burns, IOVS 43, 2002).
+  double decentring_x_mm = 0.15, decentring_y_mm = -0.05;
+  /// Root mean square departures of the outline from the ellipse, each from 0 to 3 % of the
+  /// diameter: waves of 3 to 12 around the pupil, the scale of crypts and furrows, and of 20 to 80,
+  /// that of the pigment ruff's folds. How large they are by default is a choice.
+  double crypt_irregularity_mm = 0.02, ruff_irregularity_mm = 0.004;
+};
+
+/// The lids' margins: two parabolas (Malbouisson, Baccega and Cruz, Ophthal. Plast. Reconstr. Surg.
+/// 16, 2000) that meet at the corners of the eye, 29 mm apart.
+struct EyelidParameters {
+  /// Between the margins in front of the eye's axis, 0.1 to 14 mm: 8 to 11 is wide open, 2 to 4
+  /// squinting. The default is narrowed, as against a bright lamp at night: the upper margin is
+  /// just above a wide pupil.
+  double opening_mm = 7.6;
+  /// Share of the opening that is above the axis, 0 to 1.
+  double share_above = 0.47;
+};
+
+/// One lid's lashes. Each leaves the lid's margin towards the lamp, bends away from the pupil in an
+/// arc, and is seen from the lamp, foreshortened.
+struct EyelashParameters {
+  /// On the whole lid, 0 to 1000.
+  int count = 120;
+  /// Of the longest lashes, at the lid's middle, 0.1 to 20 mm.
+  double length_mm = 10;
+  /// Width at the root, 1e-6 to 0.5 mm, of the thickest ones; and the tip's share of it, 0 to 1.
+  double root_width_mm = 0.1, tip_share = 0.2;
+  /// Angle between the line of sight and a lash at its root, -90 to 90: at 0 it points at the lamp,
+  /// at 90 it lies across the pupil, and below 0 it leads away from it.
+  double droop_deg = 45;
+  /// How far an average lash turns away from the pupil from root to tip, 0 to 180.
+  double curl_deg = 40;
+  /// Angle to the vertical, as seen from the lamp, of the lashes at the corners, -90 to 90; towards
+  /// the middle it falls to 0.
+  double fan_deg = 60;
+  /// Spread (root mean square) of a lash's direction around that of its place, 0 to 45.
+  double scatter_deg = 9;
+  /// How much the tips of neighbours are drawn together in tufts, 0 to 1.
+  double clumping = 0.35;
+
+  static EyelashParameters upper() { return {}; }
+  static EyelashParameters lower();
+};
+
+/// What moves as time goes on. At time 0 the pupil has its own diameter and the lids are open.
+struct MotionParameters {
+  /// Root mean square of the change of the pupil's diameter (hippus), 0 to 5 % of it.
+  double hippus_mm = 0.08;
+  /// 0 to 40; 0 is an eye that doesn't blink. At rest some 17 (Bentivoglio and others, Movement
+  /// Disorders 12, 1997).
+  double blinks_per_minute = 15;
+};
+
+/// What the built-in eye looks like.
 struct EyeParameters {
-  /// Diameter of the pupil, 1 to 10 mm. A dark-adapted young adult's is 5 to 8 mm.
-  double pupil_diameter_mm = 6.5;
-
-  /// Picks one eye's lashes among all; any value. The same seed is the same eye on every machine.
+  PupilParameters pupil;
+  EyelidParameters eyelids;
+  EyelashParameters upper_lashes = EyelashParameters::upper();
+  EyelashParameters lower_lashes = EyelashParameters::lower();
+  MotionParameters motion;
+  /// Picks one eye among all; any value. The same seed is the same eye on every machine.
   std::uint64_t seed = 1;
-
-  /// Eyelashes in front of the pupil, 0 to 1000; 0 is a bare pupil. An upper lid has 90 to 160, in
-  /// 5 to 6 rows (Aumond and Bitton, J. Optometry 11, 2018), over about 30 mm: 20 to 40 over a wide
-  /// pupil.
-  int eyelash_count = 36;
-
-  /// Width of the thickest lash at its root, above 0 to 0.5 mm; the others' is down to two thirds
-  /// of it, and each tapers to a fifth at its tip. An adult's lashes are about 0.06 to 0.1 mm wide.
-  double eyelash_root_width_mm = 0.1;
-
-  /// How far down the tips reach: a share of the pupil's diameter from its top edge, 0 to 1; 0.5 is
-  /// the pupil's middle. Most lashes end between 30 % earlier and 15 % later. Upper lashes are 8 to
-  /// 12 mm long, but point towards the lamp, and are seen foreshortened.
-  double eyelash_reach = 0.5;
-
-  /// Angle between the straight-down direction and the outermost lashes, 0 to 60 degrees. Lashes
-  /// spread out from the lid's curved margin; 35 is a choice, not a measurement.
-  double eyelash_fan_deg = 35;
+  /// When: 0 to 1e6 s. The eye is a continuous function of it.
+  double time_s = 0;
 };
 
 /// Throws `OptionError` for a parameter outside its range.
 void require_valid(const EyeParameters& parameters);
 
-/// The eye's amplitude transmittance over a square 4 % wider than the pupil, whose centre is the
-/// picture's centre; up in the picture (row 0) is up in the eye. The pixel is the largest that is
-/// at most `max_pixel_mm` and divides the square, which depends on the pupil's diameter alone.
+/// The eye's amplitude transmittance over a square around the eye's axis; up in the picture (row 0)
+/// is up in the eye. The square holds the pupil at every time: its width doesn't depend on `time_s`
+/// or `seed`. The pixel is the largest that is at most `max_pixel_mm` and divides the square.
 ///
-/// Pupil and lashes are opaque-edged shapes drawn by area: a pixel is the share of its square that
-/// is inside the pupil (exact) times, for each lash, the share that is outside it (exact for
-/// straight edges). So there are no stair steps to diffract, and the same eye appears at every
-/// resolution: averaging 2 x 2 pixels gives the picture at half the resolution.
+/// Pupil, lids and lashes are sharp-edged shapes drawn by area: a pixel is the share of its square
+/// that is inside the pupil (exact) times, for each lid and lash, the share that is outside it
+/// (exact). So there are no stair steps to diffract, and the same eye appears at every resolution:
+/// averaging 2 x 2 pixels gives the picture at half the resolution.
+///
+/// In the midst of a blink the picture is opaque, wholly or nearly: no template can be made of an
+/// opaque one, which `require_valid(const Aperture&)` refuses; its veil is dark.
 ///
 /// Throws `OptionError` for a parameter outside its range, or a `max_pixel_mm` that is not
 /// positive, is larger than a sixteenth of the pupil, or would need a picture wider than 65536

@@ -40,18 +40,18 @@ void bow(Eyelash& lash, double bow) {
 /// A lash that grows at `side`, -1 to 1 from the pupil's left to its right.
 Eyelash free_eyelash(const EyeParameters& p, double side, Random& random) {
   constexpr double lid_radius = 15, lid_clearance = 0.3, rows_depth = 0.8;
-  const double radius = p.pupil_diameter_mm / 2;
+  const double radius = p.pupil.diameter_mm / 2;
   const double x = 0.95 * radius * side;
   const double lid = x * x / (2 * lid_radius) - radius - lid_clearance;
   const double turn = 0.45 * side + 0.55 * random.between(-1, 1);
-  const double angle = turn * p.eyelash_fan_deg * std::numbers::pi / 180;
+  const double angle = turn * 35 * std::numbers::pi / 180;
 
   Eyelash lash;
   lash.root = {x, lid - random.between(0, rows_depth)};
-  const double reach = p.eyelash_reach * p.pupil_diameter_mm * random.between(0.7, 1.15);
+  const double reach = 0.5 * p.pupil.diameter_mm * random.between(0.7, 1.15);
   const double length = std::max(reach - radius - lash.root.y, 0.0);
   lash.tip = lash.root + length * Point{std::sin(angle), std::cos(angle)};
-  lash.root_width = p.eyelash_root_width_mm * random.between(0.67, 1);
+  lash.root_width = p.upper_lashes.root_width_mm * random.between(0.67, 1);
   bow(lash, random.between(-0.05, 0.05) + 0.02 * side);
   return lash;
 }
@@ -69,9 +69,9 @@ std::vector<Eyelash> eyelashes(const EyeParameters& p) {
   constexpr double clumped_share = 0.2;
   Random random(p.seed);
   std::vector<Eyelash> lashes;
-  for (int i = 0; i < p.eyelash_count; ++i) {
+  for (int i = 0; i < p.upper_lashes.count; ++i) {
     const double place = i + random.between(0, 1);
-    lashes.push_back(free_eyelash(p, 2 * place / p.eyelash_count - 1, random));
+    lashes.push_back(free_eyelash(p, 2 * place / p.upper_lashes.count - 1, random));
     const bool clumped = random.between(0, 1) < clumped_share;
     if (clumped && i > 0) clump(lashes[i], lashes[i - 1], random);
   }
