@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glare/aperture/aperture.h"
+#include "glare/aperture/diaphragm.h"
 #include "glare/aperture/eye.h"
 #include "glare/aperture/eye/crystalline_lens.h"
 #include "glare/aperture/eye/particles.h"
