@@ -16,6 +16,8 @@ Command add_template_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_lamps_command(CLI::App& program);
 Command add_aperture_command(CLI::App& program);
+Command add_aperture_eye_command(CLI::App& aperture);
+Command add_aperture_diaphragm_command(CLI::App& aperture);
 Command add_aperture_photo_command(CLI::App& aperture);
 
 }  // namespace glare::tool

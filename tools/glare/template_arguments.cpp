@@ -53,15 +53,6 @@ CLI::Validator not_empty() {
   return CLI::Validator([](std::string& text) { return text.empty() ? "is empty" : ""; }, "");
 }
 
-/// For whole numbers, which CLI11 would let wrap around.
-CLI::Validator whole() {
-  return CLI::Validator(
-      [](std::string& text) {
-        return whole_number(text) ? "" : "'" + text + "' isn't a whole number";
-      },
-      "");
-}
-
 /// After AsSizeValue, which lets negative and too large numbers wrap around.
 CLI::Validator plausible_bytes() {
   constexpr std::uint64_t kMost = std::uint64_t{1} << 60;
@@ -81,14 +72,15 @@ void add_aperture_options(CLI::App& command, TemplateArguments& a) {
                               .add_option("--eyelashes", a.eyelashes,
                                           "Transmittance image of the eyelashes, white = open")
                               ->check(not_empty());
-  command.add_option("--width-mm", a.width_mm, "Physical width of the aperture images");
-  auto* const diameter =
-      command.add_option("--pupil-mm", a.pupil_diameter_mm, "Built-in eye: diameter of the pupil");
-  auto* const seed =
-      command.add_option("--seed", a.seed, "Built-in eye: which eyelashes")->check(whole());
-  for (auto* const option : {diameter, seed}) {
-    option->capture_default_str()->excludes(pupil)->excludes(eyelashes);
-  }
+  command.add_option(
+      "--width-mm", a.width_mm,
+      "Physical width of the aperture images (default: what the files tell, as those "
+      "of glare aperture do)");
+  auto* const eye = command.add_flag("--eye", a.built_in_eye,
+                                     "The built-in eye: the default where no images are given");
+  std::vector<CLI::Option*> of_eye = add_eye_model_options(command, a.eye);
+  of_eye.push_back(eye);
+  for (auto* const option : of_eye) option->excludes(pupil)->excludes(eyelashes);
 }
 
 void add_scatter_options(CLI::App& command, TemplateArguments& a) {
@@ -142,7 +134,7 @@ void add_optics_options(CLI::App& command, TemplateArguments& a) {
 
 Aberrations aberrations(const TemplateArguments& a) {
   Aberrations result;
-  const EyeParameters eye;
+  const EyeParameters eye = a.has_images() ? EyeParameters{} : a.eye_parameters();
   if (!a.has_images())
     result.pupil_center = {eye.pupil.decentring_x_mm, -eye.pupil.decentring_y_mm};
   result.defocus_dioptre = a.defocus_dioptre;
@@ -233,7 +225,7 @@ void add_template_options(CLI::App& command, TemplateArguments& arguments) {
 void add_eye_options(CLI::App& command, std::optional<double>& age_years,
                      std::optional<double>& pigment) {
   const Straylight usual;
-  command.add_option("--age", age_years, "The scattering eye's age in years, 0 to 100")
+  command.add_option("--age", age_years, "The eye's age in years, 0 to 100, for what scatters")
       ->check(not_empty())
       ->default_str(CLI::detail::to_string(usual.age_years));
   command
@@ -253,11 +245,10 @@ Straylight eye_of(const std::optional<double>& age_years, const std::optional<do
 }
 
 void require_consistent(const TemplateArguments& arguments) {
-  if (arguments.scatter == "none" && (arguments.age_years || arguments.pigment))
-    throw OptionError(std::string(arguments.age_years ? "--age" : "--pigment") +
-                      " goes with --scatter cie");
-  if (arguments.has_images() && !arguments.width_mm)
-    throw OptionError("--width-mm is missing: the physical width of the aperture images");
+  if (arguments.scatter == "none" && arguments.pigment)
+    throw OptionError("--pigment goes with --scatter cie");
+  if (arguments.scatter == "none" && arguments.age_years && !arguments.eye.adapting_luminance_cd_m2)
+    throw OptionError("--age goes with --scatter cie or --adapting-luminance-cd-m2");
   if (!arguments.has_images() && arguments.width_mm)
     throw OptionError("--width-mm goes with --pupil or --eyelashes");
 }

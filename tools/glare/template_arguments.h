@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "console.h"
+#include "eye_arguments.h"
 #include "glare/aperture/eye.h"
 #include "glare/template/make_template.h"
 
@@ -22,8 +23,8 @@ struct TemplateArguments {
   std::string output, preview;
   std::string pupil, eyelashes;
   std::optional<double> width_mm;
-  double pupil_diameter_mm = EyeParameters{}.pupil.diameter_mm;
-  std::uint64_t seed = EyeParameters{}.seed;
+  bool built_in_eye = false;  ///< Asked for by name; it is what there is without images, too.
+  EyeArguments eye;
   std::string scatter = "none";
   std::optional<double> age_years, pigment;  ///< Not given: those of `Straylight{}`.
   double defocus_dioptre = 0;
@@ -47,6 +48,8 @@ struct TemplateArguments {
   std::uint64_t memory_limit_bytes = 0;
   bool quiet = false, verbose = false;
 
+  /// The built-in eye that the options mean.
+  EyeParameters eye_parameters() const { return tool::eye_parameters(eye, age_years); }
   bool has_images() const { return !pupil.empty() || !eyelashes.empty(); }
   Verbosity verbosity() const {
     return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal;

@@ -8,23 +8,12 @@
 
 namespace glare::tool {
 
-namespace {
-
-EyeParameters eye_parameters(const TemplateArguments& arguments) {
-  EyeParameters eye;
-  eye.pupil.diameter_mm = arguments.pupil_diameter_mm;
-  eye.seed = arguments.seed;
-  return eye;
-}
-
-}  // namespace
-
 TemplateOptics::TemplateOptics(const TemplateArguments& arguments, const TemplateOptions& options,
                                const Console& console)
     : arguments_(arguments), options_(options) {
   if (!arguments.has_images()) return;
   ApertureRead read = read_aperture(
-      {arguments.pupil, arguments.eyelashes, *arguments.width_mm, options.memory_limit_bytes});
+      {arguments.pupil, arguments.eyelashes, arguments.width_mm, options.memory_limit_bytes});
   for (const std::string& warning : read.warnings) console.warn(warning);
   aperture_ = std::move(read.aperture);
 }
@@ -33,7 +22,7 @@ void TemplateOptics::require_possible(const WavelengthRange& range) const {
   if (arguments_.has_images())
     require_far_field_possible(*aperture_, options_, range);
   else
-    template_eye_size(eye_parameters(arguments_), options_, range);
+    template_eye_size(arguments_.eye_parameters(), options_, range);
 }
 
 bool TemplateOptics::serves(const WavelengthRange& range) const {
@@ -63,7 +52,7 @@ void TemplateOptics::draw_eye(const WavelengthRange& range, const ProgressCallba
   release_aperture();
   TemplateOptions options = options_;
   options.progress = progress;
-  aperture_ = draw_template_eye(eye_parameters(arguments_), options, range);
+  aperture_ = draw_template_eye(arguments_.eye_parameters(), options, range);
 }
 
 }  // namespace glare::tool

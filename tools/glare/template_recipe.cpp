@@ -21,16 +21,6 @@ struct RecipeOption {
   std::filesystem::path file;  ///< Empty where the option names no file.
 };
 
-/// A number in as few digits as give it back.
-std::string text_of(double number) {
-  char text[40];
-  for (int digits = 6; digits <= 17; ++digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, number);
-    if (std::strtod(text, nullptr) == number) break;
-  }
-  return text;
-}
-
 std::vector<RecipeOption> recipe_options(const TemplateArguments& a, const NamedLamp& lamp) {
   std::vector<RecipeOption> options;
   const auto add_file = [&](const char* name, const std::filesystem::path& file) {
@@ -39,10 +29,10 @@ std::vector<RecipeOption> recipe_options(const TemplateArguments& a, const Named
   add_file("--pupil", a.pupil);
   add_file("--eyelashes", a.eyelashes);
   if (a.has_images()) {
-    options.push_back({"--width-mm", {text_of(*a.width_mm)}, {}});
+    if (a.width_mm) options.push_back({"--width-mm", {text_of(*a.width_mm)}, {}});
   } else {
-    options.push_back({"--pupil-mm", {text_of(a.pupil_diameter_mm)}, {}});
-    options.push_back({"--seed", {std::to_string(a.seed)}, {}});
+    for (const OptionText& text : option_texts(a.eye_parameters()))
+      options.push_back({text.name, text.values, {}});
   }
   if (a.scatter == "cie") {
     const Straylight eye = eye_of(a.age_years, a.pigment);

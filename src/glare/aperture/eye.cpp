@@ -97,8 +97,8 @@ double finest_eye_pixel_mm(const EyeParameters& parameters) {
 }
 
 Aperture draw_eye(const EyeParameters& parameters, double max_pixel_mm, int threads,
-                  const ProgressCallback& progress) {
-  const EyeDrawing drawing(parameters);
+                  const ProgressCallback& progress, EyeView view) {
+  const EyeDrawing drawing(parameters, view);
   Aperture eye;
   eye.width_mm = drawing.width_mm();
   const int size = picture_width(eye.width_mm, parameters.pupil.diameter_mm, max_pixel_mm);

@@ -95,6 +95,14 @@ struct EyeParameters {
 /// Throws `OptionError` for a parameter outside its range.
 void require_valid(const EyeParameters& parameters);
 
+/// What of an eye is drawn; whole, it is the product of the other two, but where the edges of both
+/// cross a pixel.
+enum class EyeView {
+  whole,
+  pupil,     ///< The pupil and what is inside the eye: no lids, no lashes.
+  eyelashes  ///< Lids and lashes, over all of the picture.
+};
+
 /// The eye's amplitude transmittance over a square around the eye's axis; up in the picture (row 0)
 /// is up in the eye. The square holds the pupil at every time: its width doesn't depend on `time_s`
 /// or `seed`. The pixel is the largest that is at most `max_pixel_mm` and divides the square.
@@ -115,7 +123,7 @@ void require_valid(const EyeParameters& parameters);
 /// `threads` is the number of threads (0: as many as the machine has); the picture is the same for
 /// any. Throws `Cancelled` when the callback says stop.
 Aperture draw_eye(const EyeParameters& parameters, double max_pixel_mm, int threads = 0,
-                  const ProgressCallback& progress = {});
+                  const ProgressCallback& progress = {}, EyeView view = EyeView::whole);
 
 /// The width of the picture that `draw_eye` makes.
 double eye_picture_width_mm(const EyeParameters& parameters);

@@ -1,8 +1,9 @@
-// Apertures from pictures.
+// Apertures from pictures, and to pictures.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,9 @@ namespace glare {
 struct ApertureFiles {
   std::filesystem::path pupil;      ///< Transmittance, white = open; empty: none.
   std::filesystem::path eyelashes;  ///< The same; at least one of the two is given.
-  double width_mm = 0;              ///< Physical width of the pictures, 0.001 to 1e6.
+  /// Physical width of the pictures, 0.001 to 1e6; nothing: what the files tell, as those of
+  /// `write_aperture` do.
+  std::optional<double> width_mm = {};
   std::uint64_t memory_limit_bytes = UINT64_MAX;
 };
 
@@ -25,7 +28,17 @@ struct ApertureRead {
 
 /// The aperture that one or two transmittance pictures make together, on the finer grid. See
 /// `read_transmittance` for what pictures may be and `stacked` for how two are brought together.
-/// Throws `InputError`, `OptionError` for a width outside its range, `MemoryError`.
+/// Throws `InputError`, also where two files tell different widths, `OptionError` for a width
+/// outside its range or where none is given and none is told, `MemoryError`.
 ApertureRead read_aperture(const ApertureFiles& files);
+
+/// Writes an aperture's picture, all or nothing: OpenEXR (one channel of 32-bit floats) where the
+/// name ends in .exr, 16-bit grey PNG where it ends in .png. Attributes of the OpenEXR file, texts
+/// of the PNG file: `glare:apertureWidth_mm`, `glare:recipe` (the text `recipe`, of ASCII
+/// characters) and `glare:software`. The same aperture gives the same bytes. Throws `OptionError`
+/// for another ending or a band-limited aperture, `OutputError`, and `Cancelled` where
+/// `keep_going`, if not empty, says false.
+void write_aperture(const std::filesystem::path& path, const Aperture& aperture,
+                    const std::string& recipe, const std::function<bool()>& keep_going = {});
 
 }  // namespace glare

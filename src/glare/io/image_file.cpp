@@ -16,6 +16,7 @@
 #include "glare/io/image/decoder.h"
 #include "glare/io/image/format.h"
 #include "glare/io/image/image_header.h"
+#include "glare/io/image/text_tags.h"
 #include "glare/io/image/transmittance.h"
 
 namespace glare {
@@ -49,8 +50,11 @@ Pixels pixels_of(const Format& format, Bytes bytes, uint64_t max_bytes) try {
 
 TransmittanceImage transmittance_from(Bytes bytes, uint64_t max_bytes) {
   const Format& format = image_io::recognized_format(bytes);
+  const auto width_mm = image_io::positive_tag(bytes, image_io::kWidthTag);
   const Pixels pixels = pixels_of(format, std::move(bytes), max_bytes);
-  return image_io::interpreted(pixels, format.names_channels);
+  TransmittanceImage image = image_io::interpreted(pixels, format.names_channels);
+  image.width_mm = width_mm;
+  return image;
 }
 
 Photograph photograph_from(Bytes bytes, uint64_t max_bytes) {

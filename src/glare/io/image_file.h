@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@
 namespace glare {
 
 struct TransmittanceImage {
-  Image<float> transmittance;         ///< Each value in [0, 1].
+  Image<float> transmittance;  ///< Each value in [0, 1].
+  /// The physical width that the file tells, as those of `write_aperture` do.
+  std::optional<double> width_mm = {};
   std::vector<std::string> warnings;  ///< One line each, without the file's name.
 };
 

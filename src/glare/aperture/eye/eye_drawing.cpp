@@ -30,16 +30,21 @@ std::vector<Outline> covers(const EyeParameters& p, double reach_mm) {
 
 }  // namespace
 
-EyeDrawing::EyeDrawing(const EyeParameters& p)
-    : width_mm_((require_valid(p), eye_picture_width_mm(p))),
+EyeDrawing::EyeDrawing(const EyeParameters& p, EyeView view)
+    : view_(view),
+      width_mm_((require_valid(p), eye_picture_width_mm(p))),
       pupil_(pupil_outline(p.pupil, p.seed, pupil_diameter_at_mm(p, p.time_s))),
-      covers_(covers(p, width_mm_ / 2)),
+      covers_(view == EyeView::pupil ? std::vector<Outline>() : covers(p, width_mm_ / 2)),
       particles_(p.particles, seed_for(p.seed, EyePart::particles), p.time_s,
                  width_mm_ / 2 * std::numbers::sqrt2),
       lens_(p.lens, seed_for(p.seed, EyePart::lens)) {}
 
-Columns EyeDrawing::draw_shapes(const Grid& grid, int y, RowCoverage& coverage,
-                                std::span<float> row) const {
+Columns EyeDrawing::draw_pupil(const Grid& grid, int y, RowCoverage& coverage,
+                               std::span<float> row) const {
+  if (view_ == EyeView::eyelashes) {
+    std::ranges::fill(row, 1.0f);
+    return {0, grid.size};
+  }
   std::ranges::fill(row, 0.0f);
   if (!pupil_.cover_row(grid, y, coverage)) return {};
   Columns open{grid.size, 0};
@@ -47,6 +52,12 @@ Columns EyeDrawing::draw_shapes(const Grid& grid, int y, RowCoverage& coverage,
     open = {std::min(open.first, first), std::max(open.last, last)};
     std::fill(row.begin() + first, row.begin() + last, share);
   });
+  return open;
+}
+
+Columns EyeDrawing::draw_shapes(const Grid& grid, int y, RowCoverage& coverage,
+                                std::span<float> row) const {
+  const Columns open = draw_pupil(grid, y, coverage, row);
   for (const Outline& cover : covers_) {
     if (!cover.cover_row(grid, y, coverage)) continue;
     coverage.paint([&](int first, int last, float share) {
@@ -55,7 +66,7 @@ Columns EyeDrawing::draw_shapes(const Grid& grid, int y, RowCoverage& coverage,
     });
   }
   if (open.first >= open.last) return {};
-  particles_.draw_row(grid, y, open, row);
+  if (view_ != EyeView::eyelashes) particles_.draw_row(grid, y, open, row);
   return open;
 }
 

@@ -14,7 +14,7 @@ namespace glare {
 class EyeDrawing {
  public:
   /// Throws what `require_valid` throws.
-  explicit EyeDrawing(const EyeParameters& parameters);
+  explicit EyeDrawing(const EyeParameters& parameters, EyeView view = EyeView::whole);
 
   /// Of the picture, which is square.
   double width_mm() const { return width_mm_; }
@@ -26,10 +26,13 @@ class EyeDrawing {
 
   /// Multiplies the row by the lens's transmittance, which is what completes it.
   void draw_lens(const Grid& grid, int y, Columns open, std::span<float> row) const {
-    lens_.draw_row(grid, y, open, row);
+    if (view_ != EyeView::eyelashes) lens_.draw_row(grid, y, open, row);
   }
 
  private:
+  Columns draw_pupil(const Grid& grid, int y, RowCoverage& coverage, std::span<float> row) const;
+
+  EyeView view_;
   double width_mm_;
   Outline pupil_;
   std::vector<Outline> covers_;  ///< Lids and lashes.

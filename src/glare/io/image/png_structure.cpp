@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "glare/io/image/byte_reader.h"
+#include "glare/io/image/crc32.h"
 #include "glare/io/image/structure.h"
 
 namespace glare::image_io {
@@ -15,25 +16,6 @@ using std::uint32_t;
 using std::uint64_t;
 
 namespace {
-
-constexpr std::array<uint32_t, 256> crc_table() {
-  std::array<uint32_t, 256> table{};
-  for (uint32_t i = 0; i < 256; ++i) {
-    uint32_t value = i;
-    for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ (value & 1 ? 0xEDB88320u : 0u);
-    table[i] = value;
-  }
-  return table;
-}
-
-uint32_t crc32(std::span<const std::byte> bytes) {
-  static constexpr std::array<uint32_t, 256> table = crc_table();
-  uint32_t crc = 0xFFFFFFFFu;
-  for (const std::byte b : bytes) {
-    crc = table[(crc ^ std::to_integer<uint32_t>(b)) & 0xFF] ^ (crc >> 8);
-  }
-  return ~crc;
-}
 
 struct PngLayout {
   uint64_t width = 0;

@@ -1,0 +1,22 @@
+// Texts and numbers beside a picture's pixels, by name. Internal.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "glare/io/image/byte_reader.h"
+
+namespace glare::image_io {
+
+/// What the width of an aperture's picture is called, in mm.
+inline constexpr const char* kWidthTag = "glare:apertureWidth_mm";
+
+/// The number that a PNG file's tEXt chunk or an OpenEXR file's float attribute of that name holds;
+/// nothing where there is none, or it isn't positive and finite, or the file is of another kind or
+/// damaged.
+std::optional<double> positive_tag(const Bytes& file, const std::string& name);
+
+/// A PNG file with one more text (tEXt, so of Latin-1 characters), before its pixels.
+Bytes png_with_text(const Bytes& png, const std::string& name, const std::string& text);
+
+}  // namespace glare::image_io
