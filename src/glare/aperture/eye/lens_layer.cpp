@@ -11,7 +11,7 @@ namespace glare {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int max_part = 256;      // Pixels of a row that are drawn as one.
+constexpr int max_part = 128;      // Pixels of a row that are drawn as one.
 constexpr double end_width = 0.5;  // Of a suture's branch, relative to its width at the pole.
 
 /// Mean of cos over an interval of `width` radians, relative to its value at the middle.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "glare/aperture/eye/small_shapes.h"
 #include "glare/aperture/eye/split_mix.h"
