@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "glare/base/parallel.h"
+#include "glare/integration/vector_loops.h"
 
 namespace glare {
 
@@ -59,47 +60,58 @@ Weights weights() {
 /// Filters one fine row in x and thins it out.
 class RowFilter {
  public:
-  RowFilter(int size, const Weights& weights) : weights_(weights), filtered_(size) {
-    for (auto& phase : phases_) phase.resize(size + kTaps / kFine + kBlock);
+  RowFilter(int size, const Weights& weights) : stride_(size + kTapsPerPhase), part_(size) {
+    for (int k = 0; k < kTaps; ++k) weights_[k % kFine][k / kFine] = weights[k];
+    for (auto& phase : phases_) phase.resize(static_cast<std::size_t>(stride_));
   }
 
-  /// Returns the columns outside which the filtered row is 0; it is valid within them.
-  Columns filter(std::span<const float> fine, Columns open) {
-    const int size = static_cast<int>(filtered_.size());
-    const Columns part{std::max(0, (open.first - kTaps / 2) / kFine),
-                       std::min(size, (open.last + kTaps / 2) / kFine + 1)};
+  /// Sets all of `filtered`.
+  void filter(std::span<const float> fine, Columns open, std::span<float> filtered) {
+    const Columns part = touched(open, static_cast<int>(filtered.size()));
+    const int count = part.last - part.first;
+    std::fill_n(filtered.begin(), part.first, 0.0f);
+    std::fill(filtered.begin() + part.last, filtered.end(), 0.0f);
     take_phases(fine, part);
-    for (int x = part.first; x < part.last; x += kBlock) filter_block(x, part.last);
-    return part;
+    for (int r = 0; r < kFine; ++r) {
+      float* const sum = r == 0 ? filtered.data() + part.first : part_.data();
+      sum_weighted_rows(weights_[r], phases_[r].data() + part.first, 1, count, sum);
+      if (r > 0) add_weighted(1, sum, count, filtered.data() + part.first);
+    }
   }
-  const float* filtered() const { return filtered_.data(); }
 
  private:
-  static constexpr int kBlock = 16;
+  static constexpr int kTapsPerPhase = kTaps / kFine;
+
+  /// The filtered row's columns that `open` reaches.
+  static Columns touched(Columns open, int size) {
+    return {std::max(0, (open.first - kTaps / 2) / kFine),
+            std::min(size, (open.last + kTaps / 2) / kFine + 1)};
+  }
 
   /// phases_[r][q] is the fine sample kFine q + r - kBefore.
   void take_phases(std::span<const float> fine, Columns part) {
-    const int last =
-        std::min(part.last + kTaps / kFine + kBlock, static_cast<int>(phases_[0].size()));
-    for (int r = 0; r < kFine; ++r)
-      for (int q = part.first; q < last; ++q) {
+    const int size = static_cast<int>(fine.size());
+    const int last = std::min(part.last + kTapsPerPhase, stride_);
+    // Inside of these all phases are samples.
+    const int begin = std::clamp((kBefore + kFine - 1) / kFine, part.first, last);
+    const int end = std::clamp((size + kBefore) / kFine - 1, begin, last);
+    const auto take_with_care = [&](int q) {
+      for (int r = 0; r < kFine; ++r) {
         const int i = kFine * q + r - kBefore;
-        phases_[r][q] = i >= 0 && i < std::ssize(fine) ? fine[i] : 0.0f;
+        phases_[r][q] = i >= 0 && i < size ? fine[i] : 0.0f;
       }
+    };
+    for (int q = part.first; q < begin; ++q) take_with_care(q);
+    const float* source = fine.data() + (kFine * begin - kBefore);
+    for (int q = begin; q < end; ++q, source += kFine)
+      for (int r = 0; r < kFine; ++r) phases_[r][q] = source[r];
+    for (int q = end; q < last; ++q) take_with_care(q);
   }
 
-  void filter_block(int x, int last) {
-    std::array<float, kBlock> sum{};
-    for (int k = 0; k < kTaps; ++k) {
-      const float* const source = phases_[k % kFine].data() + x + k / kFine;
-      for (int i = 0; i < kBlock; ++i) sum[i] += weights_[k] * source[i];
-    }
-    std::copy_n(sum.begin(), std::min(kBlock, last - x), filtered_.begin() + x);
-  }
-
-  const Weights& weights_;
+  std::array<std::array<float, kTapsPerPhase>, kFine> weights_;
   std::array<std::vector<float>, kFine> phases_;
-  std::vector<float> filtered_;
+  int stride_;
+  std::vector<float> part_;
 };
 
 /// Makes the rows of one task.
@@ -111,35 +123,51 @@ class Band {
         weights_(weights),
         draw_row_(draw_row),
         row_filter_(picture.width(), weights),
-        row_(fine_.size) {}
+        row_(fine_.size),
+        filtered_(static_cast<std::size_t>(kStored) * picture.width()) {}
 
   /// Sets the rows from `first` to before `last`; returns the sum of the fine rows' mean squares in
   /// them.
   double make(int first, int last) {
-    const int begin = std::max(0, kFine * first - kBefore);
-    const int end = std::min(fine_.size, kFine * (last - 1) - kBefore + kTaps);
     double squares = 0;
-    for (int y = begin; y < end; ++y) {
-      const FineRow drawn = draw_row_(fine_, y, row_);
-      if (drawn.open.first >= drawn.open.last) continue;
-      if (y >= kFine * first && y < kFine * last) squares += drawn.mean_squares;
-      add(y, row_filter_.filter(row_, drawn.open), first, last);
+    int next = kFine * first - kBefore;  // The fine row that is filtered next.
+    for (int row = first; row < last; ++row) {
+      const int begin = kFine * row - kBefore;
+      for (; next < begin + kTaps; ++next) {
+        const double drawn = filter(next);
+        if (next >= kFine * first && next < kFine * last) squares += drawn;
+      }
+      thin_out(begin, row);
     }
     return squares;
   }
 
  private:
-  /// Adds fine row `y` to the rows from `first` to before `last` whose filters take it.
-  void add(int y, Columns part, int first, int last) {
-    const int newest = std::min(last - 1, (y + kBefore) / kFine);
-    for (int row = newest; row >= first; --row) {
-      const int k = y + kBefore - kFine * row;
-      if (k >= kTaps) break;
-      const float weight = weights_[k];
-      const float* const source = row_filter_.filtered();
-      float* const target = picture_.row(row).data();
-      for (int x = part.first; x < part.last; ++x) target[x] += weight * source[x];
-    }
+  // Filtered rows are kept twice, so that any kTaps that follow one another do so in memory too.
+  static constexpr int kStored = 2 * kTaps;
+
+  float* stored(int y) { return filtered_.data() + std::size_t(y) * picture_.width(); }
+
+  /// Draws and filters fine row `y`, which may be outside of the picture; returns its mean squares.
+  double filter(int y) {
+    const int place = (y + kTaps) % kTaps, width = picture_.width();
+    const std::span<float> target(stored(place), width);
+    FineRow drawn;
+    if (y >= 0 && y < fine_.size) drawn = draw_row_(fine_, y, row_);
+    const bool any = drawn.open.first < drawn.open.last;
+    if (any)
+      row_filter_.filter(row_, drawn.open, target);
+    else
+      std::ranges::fill(target, 0.0f);
+    std::ranges::copy(target, stored(place + kTaps));
+    return any ? drawn.mean_squares : 0;
+  }
+
+  /// Sets a row of the picture, whose first fine row is `begin`.
+  void thin_out(int begin, int row) {
+    const int width = picture_.width();
+    sum_weighted_rows(weights_, stored((begin + kTaps) % kTaps), width, width,
+                      picture_.row(row).data());
   }
 
   Image<float>& picture_;
@@ -147,7 +175,7 @@ class Band {
   const Weights& weights_;
   const FineRows& draw_row_;
   RowFilter row_filter_;
-  std::vector<float> row_;
+  std::vector<float> row_, filtered_;
 };
 
 }  // namespace

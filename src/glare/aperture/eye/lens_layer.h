@@ -27,8 +27,6 @@ class LensLayer {
   struct Ring {
     double inner, outer;  // Radii.
     double fibres, phase;
-    /// Share of the modulation at `radius`: 0 at the ring's edges and beyond, without a step.
-    double weight(double radius) const;
   };
   /// A branch of the suture, from the pole outwards.
   class Suture : public Segment {
@@ -40,14 +38,14 @@ class LensLayer {
    private:
     double slope_, half_width_;  // Both along x.
   };
-  /// The row's columns from `first` to before `last`, over which the phase is a parabola.
-  void draw_fibres(const Grid& grid, double y, Columns part, std::span<float> row) const;
+  /// The row's columns `part`, which lie in `ring` and over which the phase is a cubic parabola.
+  void draw_fibres(const Ring& ring, const Grid& grid, double y, Columns part,
+                   std::span<float> row) const;
   void draw_fibre_row(const Grid& grid, int y, Columns open, std::span<float> row) const;
   void draw_sutures(const Grid& grid, int y, Columns open, std::span<float> row) const;
 
   LensParameters parameters_;
   std::vector<Ring> rings_;
-  double log_step_ = 1;  // Between neighbouring rings' radii.
   std::vector<Suture> sutures_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "glare/aperture/eye/small_shapes.h"
 #include "glare/aperture/eye/split_mix.h"
@@ -56,25 +57,19 @@ std::uint64_t cell_seed(std::uint64_t seed, int x, int y) {
   return SplitMix(seed ^ SplitMix(row << 32 | column).next()).next();
 }
 
-/// A part of a row's pixel that a particle covers.
-using Cover = std::pair<int, float>;
-
-/// Adds what `disc` covers of row `y`.
-void cover_row(const Disc& disc, const Grid& grid, int y, Columns open, std::vector<Cover>& cover) {
-  const double r = disc.radius, top = grid.edge(y) - disc.y, bottom = grid.edge(y + 1) - disc.y;
+/// Adds the shares that `disc` covers of row `y` to `cover`, the columns inside `open`.
+void cover_row(const Disc& disc, const Grid& grid, int y, Columns open, std::vector<float>& cover) {
+  const double r = disc.radius, top = grid.edge(y) - disc.y, bottom = top + grid.pixel;
   if (top >= r || bottom <= -r) return;
   const Columns touched = grid.touching(disc.x - r, disc.x + r);
   const int first = std::max(touched.first, open.first), last = std::min(touched.last, open.last);
-  const auto area_left_of = [&](int column) {
-    const double x = grid.edge(column) - disc.x;
-    return disc_area_in_quadrant(x, bottom, r) - disc_area_in_quadrant(x, top, r);
-  };
   if (first >= last) return;
+  const DiscRow disc_row(r, top, bottom);
   const double per_pixel = 1 / (grid.pixel * grid.pixel);
-  double left = area_left_of(first);
+  double left = disc_row.area_to(grid.edge(first) - disc.x);
   for (int x = first; x < last; ++x) {
-    const double right = area_left_of(x + 1);
-    cover.emplace_back(x, static_cast<float>((right - left) * per_pixel));
+    const double right = disc_row.area_to(grid.edge(x + 1) - disc.x);
+    cover[x - open.first] += static_cast<float>((right - left) * per_pixel);
     left = right;
   }
 }
@@ -116,7 +111,8 @@ ParticleLayer::Medium ParticleLayer::place(const MediumParticles& particles, std
 }
 
 void ParticleLayer::draw_row(const Grid& grid, int y, Columns open, std::span<float> row) const {
-  std::vector<Cover> cover;
+  if (open.first >= open.last) return;
+  std::vector<float> cover(static_cast<std::size_t>(open.last - open.first));
   for (const Medium& medium : media_) {
     const auto top = static_cast<float>(grid.edge(y) - medium.max_radius);
     const auto bottom = static_cast<float>(grid.edge(y + 1) + medium.max_radius);
@@ -124,13 +120,8 @@ void ParticleLayer::draw_row(const Grid& grid, int y, Columns open, std::span<fl
     for (; disc != medium.discs.end() && disc->y <= bottom; ++disc)
       cover_row(*disc, grid, y, open, cover);
   }
-  std::ranges::sort(cover);
-  for (std::size_t i = 0; i < cover.size();) {
-    const int x = cover[i].first;
-    float share = 0;
-    for (; i < cover.size() && cover[i].first == x; ++i) share += cover[i].second;
-    row[x] *= 1 - std::clamp(share, 0.0f, 1.0f);
-  }
+  float* const opened = row.data() + open.first;
+  for (std::size_t i = 0; i < cover.size(); ++i) opened[i] *= 1 - std::clamp(cover[i], 0.0f, 1.0f);
 }
 
 }  // namespace glare

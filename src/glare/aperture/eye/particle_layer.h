@@ -25,8 +25,9 @@ class ParticleLayer {
                 double radius_mm);
 
   /// Multiplies row `y` of the picture inside `open` by the share of each pixel's square that no
-  /// particle covers. Exact, except where particles overlap: there they count twice, but a pixel
-  /// is never more than opaque. Several threads may draw at once.
+  /// particle covers. Exact (areas to 2e-8 of the squared radius), except where particles overlap:
+  /// there they count twice, but a pixel is never more than opaque. Several threads may draw at
+  /// once.
   void draw_row(const Grid& grid, int y, Columns open, std::span<float> row) const;
 
   /// One medium's particles (0 cornea, 1 lens, 2 vitreous), from the top downwards.

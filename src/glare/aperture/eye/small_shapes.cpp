@@ -4,9 +4,13 @@ namespace glare {
 
 namespace {
 
-/// Integral of sqrt(r^2 - x^2) from 0 to `x`.
-double circle_integral(double x, double r) {
-  return 0.5 * (x * std::sqrt(std::max(r * r - x * x, 0.0)) + r * r * std::asin(x / r));
+/// The arcsine for x from 0 to 1, to 2e-8 (Abramowitz and Stegun 1964, 4.4.46).
+double arcsine(double x) {
+  constexpr double terms[] = {-0.0012624911, 0.0066700901, -0.0170881256, 0.0308918810,
+                              -0.0501743046, 0.0889789874, -0.2145988016, 1.5707963050};
+  double sum = 0;
+  for (const double term : terms) sum = sum * x + term;
+  return std::numbers::pi / 2 - std::sqrt(1 - x) * sum;
 }
 
 /// Share of a unit square inside a half-plane whose edge passes at the signed distance `depth` from
@@ -23,13 +27,10 @@ double half_plane_share(double depth, Point normal) {
 
 }  // namespace
 
-double disc_area_in_quadrant(double x, double y, double r) {
-  const double sign = (x < 0) == (y < 0) ? 1 : -1;
-  x = std::min(std::abs(x), r);
-  y = std::min(std::abs(y), r);
-  if (x * x + y * y <= r * r) return sign * x * y;
-  const double flat = std::sqrt(r * r - y * y);
-  return sign * (flat * y + circle_integral(x, r) - circle_integral(flat, r));
+double DiscRow::quarter_disc_to(double x) const {
+  const double squared = radius_ * radius_;
+  return 0.5 * (x * std::sqrt(std::max(squared - x * x, 0.0)) +
+                squared * arcsine(std::min(x / radius_, 1.0)));
 }
 
 float Segment::coverage(Point centre, double pixel) const {

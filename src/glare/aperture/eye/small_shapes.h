@@ -9,9 +9,44 @@
 
 namespace glare {
 
-/// Area of the disc of radius `r` around the origin inside the rectangle from the origin to the
-/// corner (x, y), negative where just one of x and y is.
-double disc_area_in_quadrant(double x, double y, double r);
+/// What a row of height `bottom - top` holds of the disc of radius `r` around the origin. Areas are
+/// exact to 2e-8 r^2.
+class DiscRow {
+ public:
+  DiscRow(double r, double top, double bottom)
+      : radius_(r), top_(edge(top)), bottom_(edge(bottom)) {}
+
+  /// Area between the vertical through the origin and the one at `x`, negative where x is.
+  double area_to(double x) const {
+    const double along = std::min(std::abs(x), radius_);
+    const bool inside = along <= top_.flat && along <= bottom_.flat;
+    const double circle = inside ? 0 : quarter_disc_to(along);
+    return std::copysign(bottom_.area_to(along, circle) - top_.area_to(along, circle), x);
+  }
+
+ private:
+  /// One of the row's edges.
+  struct Edge {
+    double y;     // Within the disc.
+    double flat;  // Half the chord that the edge cuts off.
+    double sign, rest;
+    /// Area between the edge, y = 0 and the vertical at 0 and `x` > 0, negative where y is. Beyond
+    /// the chord it ends at the circle.
+    double area_to(double x, double circle) const {
+      return x <= flat ? x * y : rest + sign * circle;
+    }
+  };
+  Edge edge(double y) const {
+    y = std::clamp(y, -radius_, radius_);
+    const double flat = std::sqrt(radius_ * radius_ - y * y), sign = y < 0 ? -1 : 1;
+    return {y, flat, sign, y * flat - sign * quarter_disc_to(flat)};
+  }
+  /// Integral of sqrt(r^2 - x^2) from 0 to `x`, which is from 0 to r.
+  double quarter_disc_to(double x) const;
+
+  double radius_;
+  Edge top_, bottom_;
+};
 
 /// A straight strip with round ends, whose radius changes from end to end.
 class Segment {

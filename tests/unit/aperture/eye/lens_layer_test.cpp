@@ -89,8 +89,8 @@ TEST(LensFibres, HaveThePitchAskedFor) {
 }
 
 TEST(LensFibres, AverageOfFourPixelsIsThePictureAtHalfTheResolution) {
-  // A ring's weight is taken as a line over 0.01 mm of a row, which bends most where its soft edge,
-  // 0.03 mm wide at the narrowest, begins and ends: a few percent of the modulation there.
+  // A ring's weight is taken at each pixel's centre; it bends most where its soft edge, 0.03 mm
+  // wide at the narrowest, begins and ends: a few percent of the modulation there.
   const LensLayer layer(only_fibres(0.2), 1);
   for (const int size : {1000, 3000}) {
     const Difference difference = difference_at_half_resolution(layer, size);
