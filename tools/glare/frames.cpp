@@ -13,7 +13,7 @@ const std::string kPlaceholder = "{frame}";
 
 }  // namespace
 
-void add_frame_options(CLI::App& command, FrameArguments& arguments) {
+CLI::Option* add_frame_options(CLI::App& command, FrameArguments& arguments) {
   const std::string group = "Built-in eye: motion";
   auto* const frames =
       command
@@ -28,6 +28,7 @@ void add_frame_options(CLI::App& command, FrameArguments& arguments) {
       ->capture_default_str()
       ->needs(frames)
       ->group(group);
+  return frames;
 }
 
 std::string with_frame(const std::string& pattern, int frame) {

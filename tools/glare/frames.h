@@ -6,7 +6,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace glare::tool {
 
@@ -16,8 +17,9 @@ struct FrameArguments {
   double per_second = 24;
 };
 
-/// Adds `--frames` and `--fps`; `arguments` are set when it is parsed, and outlive it.
-void add_frame_options(CLI::App& command, FrameArguments& arguments);
+/// Adds `--frames`, which it returns, and `--fps`; `arguments` are set when it is parsed, and
+/// outlive it.
+CLI::Option* add_frame_options(CLI::App& command, FrameArguments& arguments);
 
 /// When a frame, counted from 0, is, after the time that the sequence begins at.
 inline double time_of_frame_s(const FrameArguments& arguments, int frame) {

@@ -80,6 +80,7 @@ void add_aperture_options(CLI::App& command, TemplateArguments& a) {
                                      "The built-in eye: the default where no images are given");
   std::vector<CLI::Option*> of_eye = add_eye_model_options(command, a.eye);
   of_eye.push_back(eye);
+  of_eye.push_back(add_frame_options(command, a.frames));
   for (auto* const option : of_eye) option->excludes(pupil)->excludes(eyelashes);
 }
 

@@ -9,6 +9,7 @@
 
 #include "console.h"
 #include "eye_arguments.h"
+#include "frames.h"
 #include "glare/aperture/eye.h"
 #include "glare/template/make_template.h"
 
@@ -25,6 +26,7 @@ struct TemplateArguments {
   std::optional<double> width_mm;
   bool built_in_eye = false;  ///< Asked for by name; it is what there is without images, too.
   EyeArguments eye;
+  FrameArguments frames;
   std::string scatter = "none";
   std::optional<double> age_years, pigment;  ///< Not given: those of `Straylight{}`.
   double defocus_dioptre = 0;

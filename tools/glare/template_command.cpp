@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -89,9 +90,34 @@ void write_outputs(const Task& task, GlareTemplate& glare_template,
   if (has_preview) write_file_atomically(task.output.preview, png);
 }
 
+/// The scale of a sequence's frames, for each lamp: the first frame's. Peaks that come and go would
+/// make the others flicker.
+class SequenceScale {
+ public:
+  void apply(GlareTemplate& frame, const std::string& lamp, bool is_dark) {
+    if (frame.normalization != Normalization::peak || is_dark) return;
+    const auto [scale, is_first] = per_steradian_.emplace(lamp, frame.per_steradian);
+    if (!is_first) rescale(frame, scale->second);
+  }
+
+ private:
+  std::map<std::string, double> per_steradian_;
+};
+
+GlareTemplate made_template(const Task& task, const TemplateOptions& options,
+                            const TemplateOptics& optics) {
+  const Spectrum& lamp = task.lamp.spectrum;
+  if (optics.is_dark())
+    return dark_template(optics.aperture().width_mm, lamp, options, task.lamp.name);
+  if (options.aberrations.has_phase())
+    return make_template(optics.aperture(), lamp, options, task.lamp.name);
+  return make_template(optics.far_field(), lamp, options, task.lamp.name);
+}
+
 /// Makes the templates one after the other.
 void make_templates(const std::vector<Task>& tasks, const TemplateArguments& arguments,
-                    TemplateOptions options, TemplateOptics& optics, const Console& console) {
+                    TemplateOptions options, TemplateOptics& optics, SequenceScale& scale,
+                    const Console& console) {
   Steps steps(tasks, console.progress("glare template"));
   for (auto task = tasks.begin(); task != tasks.end(); ++task) {
     const bool range_is_new = task == tasks.begin() || !(task->range == std::prev(task)->range);
@@ -100,21 +126,19 @@ void make_templates(const std::vector<Task>& tasks, const TemplateArguments& arg
     if (!optics.serves(task->range)) optics.make_far_field(task->range, progress);
     const auto is_served = [&](const Task& other) { return optics.serves(other.range); };
     const auto next_far_field = std::find_if_not(task, tasks.end(), is_served);
-    const bool has_phase = options.aberrations.has_phase();
-    if (next_far_field == tasks.end() && !has_phase) optics.release_aperture();
+    const bool needs_aperture = options.aberrations.has_phase() || optics.is_dark();
+    if (next_far_field == tasks.end() && !needs_aperture) optics.release_aperture();
 
     options.progress = steps.next();
-    GlareTemplate made =
-        has_phase
-            ? make_template(optics.aperture(), task->lamp.spectrum, options, task->lamp.name)
-            : make_template(optics.far_field(), task->lamp.spectrum, options, task->lamp.name);
+    GlareTemplate made = made_template(*task, options, optics);
+    scale.apply(made, task->lamp.name, optics.is_dark());
     if (std::next(task) == next_far_field) optics.release_far_field();
     write_outputs(*task, made, arguments, console);
     tell_what_was_made(task->output.file, made, optics.aperture_size(), console);
   }
 }
 
-void run_template(const TemplateArguments& arguments) {
+void make_frame(const TemplateArguments& arguments, SequenceScale& scale) {
   const Console console(arguments.verbosity());
   require_consistent(arguments);
   std::vector<Task> tasks = tasks_of(arguments);
@@ -129,7 +153,20 @@ void run_template(const TemplateArguments& arguments) {
   for (const Task& task : tasks) optics.require_possible(task.range);
   RecipeWriter recipes(arguments);
   for (Task& task : tasks) task.recipe = recipes.recipe(task.lamp);
-  make_templates(tasks, arguments, options, optics, console);
+  make_templates(tasks, arguments, options, optics, scale, console);
+}
+
+void run_template(const TemplateArguments& arguments) {
+  require_frame_in("--output", arguments.output, arguments.frames);
+  require_frame_in("--preview", arguments.preview, arguments.frames);
+  SequenceScale scale;
+  for (int i = 0; i < arguments.frames.count; ++i) {
+    TemplateArguments frame = arguments;
+    frame.eye.parameters.time_s += time_of_frame_s(arguments.frames, i);
+    frame.output = with_frame(arguments.output, i);
+    frame.preview = with_frame(arguments.preview, i);
+    make_frame(frame, scale);
+  }
 }
 
 }  // namespace

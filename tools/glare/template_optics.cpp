@@ -26,7 +26,7 @@ void TemplateOptics::require_possible(const WavelengthRange& range) const {
 }
 
 bool TemplateOptics::serves(const WavelengthRange& range) const {
-  if (options_.aberrations.has_phase())
+  if (options_.aberrations.has_phase() || dark_)
     return aperture_ && (arguments_.has_images() || range_ == range);
   return far_field_ && same_far_field(*far_field_, options_, range_, range);
 }
@@ -39,9 +39,10 @@ void TemplateOptics::make_far_field(const WavelengthRange& range,
                         (!options_.aberrations.has_phase() || range == range_);
   if (!arguments_.has_images() && !same_eye)
     draw_eye(range, progress_part(progress, 0, kShareOfAperture));
+  dark_ = !arguments_.has_images() && energy_area_mm2(*aperture_) == 0;
   TemplateOptions options = options_;
   options.progress = progress_part(progress, kShareOfAperture, 1);
-  if (!options_.aberrations.has_phase())
+  if (!dark_ && !options_.aberrations.has_phase())
     far_field_ = template_far_field(*aperture_, options, range);
   range_ = range;
   size_ = {aperture_->transmittance.width(), aperture_->transmittance.height(),

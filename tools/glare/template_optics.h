@@ -31,6 +31,8 @@ class TemplateOptics {
   void make_far_field(const WavelengthRange& range, const ProgressCallback& progress);
 
   const Aperture& aperture() const { return *aperture_; }
+  /// True where the eye is closed and no far field could be made.
+  bool is_dark() const { return dark_; }
   const FarField& far_field() const { return *far_field_; }
   const ApertureSize& aperture_size() const { return size_; }
 
@@ -46,7 +48,8 @@ class TemplateOptics {
   std::optional<Aperture> aperture_;
   std::optional<FarField> far_field_;
   WavelengthRange range_;  ///< What the far field was made for.
-  ApertureSize size_;      ///< Of the aperture that it was made of.
+  bool dark_ = false;
+  ApertureSize size_;  ///< Of the aperture that it was made of.
 };
 
 }  // namespace glare::tool

@@ -30,4 +30,11 @@ double GlareTemplate::luminance(int x, int y) const {
          weights[2] * channels[2](x, y);
 }
 
+void rescale(GlareTemplate& glare_template, double per_steradian) {
+  const double factor = glare_template.per_steradian / per_steradian;
+  for (auto& channel : glare_template.channels)
+    for (float& value : channel.values()) value = static_cast<float>(value * factor);
+  glare_template.per_steradian = per_steradian;
+}
+
 }  // namespace glare

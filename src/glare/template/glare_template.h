@@ -58,4 +58,8 @@ struct GlareTemplate {
   double luminance(int x, int y) const;
 };
 
+/// Scales the pixels so that a luminance of 1 is `per_steradian` (> 0), whatever the brightest
+/// pixel then is: so the frames of a sequence have one scale.
+void rescale(GlareTemplate& glare_template, double per_steradian);
+
 }  // namespace glare

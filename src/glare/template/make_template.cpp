@@ -160,20 +160,16 @@ void scatter(GlareTemplate& result, const TemplateOptions& options) {
       progress_part(options.progress, share_before_straylight(options), 1), result.channels);
 }
 
-/// From XYZ per steradian of the diffracted light to the template.
-GlareTemplate finished_template(XyzImage xyz, const ApertureNumbers& aperture, const Spectrum& lamp,
+/// A template without pixels, but with all that it tells of itself.
+GlareTemplate labelled_template(const ApertureNumbers& aperture, const Spectrum& lamp,
                                 const TemplateOptions& options, const std::string& lamp_name) {
   const auto& observer = color_matching_functions(options.observer);
   const WavelengthRange range = effective_range(lamp, options);
   GlareTemplate result;
-  result.channels = std::move(xyz);
   result.lamp_xyz = xyz_from_spectrum(lamp, observer, range);
-  scatter(result, options);
   result.color_space = options.color_space;
   result.pixel_pitch_rad = pixel_grid(options).pitch_rad;
   result.normalization = options.normalization;
-  result.captured_energy =
-      sum_of(result.channels[1]) * result.pixel_pitch_rad * result.pixel_pitch_rad;
   result.lamp = lamp_name;
   result.observer = observer.name;
   result.aberrations = to_string(options.aberrations);
@@ -181,7 +177,17 @@ GlareTemplate finished_template(XyzImage xyz, const ApertureNumbers& aperture, c
   result.aperture_width_mm = aperture.width_mm;
   result.aperture_area_mm2 = aperture.area_mm2;
   result.software = "glare " GLARE_VERSION;
+  return result;
+}
 
+/// From XYZ per steradian of the diffracted light to the template.
+GlareTemplate finished_template(XyzImage xyz, const ApertureNumbers& aperture, const Spectrum& lamp,
+                                const TemplateOptions& options, const std::string& lamp_name) {
+  GlareTemplate result = labelled_template(aperture, lamp, options, lamp_name);
+  result.channels = std::move(xyz);
+  scatter(result, options);
+  result.captured_energy =
+      sum_of(result.channels[1]) * result.pixel_pitch_rad * result.pixel_pitch_rad;
   convert(result.channels, rgb_from_observed_xyz(options, result.lamp_xyz), options);
   normalize(result);
   return result;
@@ -296,6 +302,15 @@ GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
   const FarField field = template_far_field(aperture, part, range);
   part.progress = progress_part(options.progress, kShareOfFarField, 1);
   return make_template(field, lamp, part, lamp_name);
+}
+
+GlareTemplate dark_template(double aperture_width_mm, const Spectrum& lamp,
+                            const TemplateOptions& options, const std::string& lamp_name) {
+  GlareTemplate result = labelled_template({aperture_width_mm, 0}, lamp, options, lamp_name);
+  const PixelGrid grid = pixel_grid(options);
+  result.channels.fill(Image<float>(grid.width, grid.height));
+  result.per_steradian = 1;
+  return result;
 }
 
 std::uint64_t template_bytes(const ApertureSize& aperture, const TemplateOptions& options,

@@ -77,6 +77,10 @@ double widest_field_of_view_deg(double pixel_mm, double shortest_nm, const Pixel
 GlareTemplate make_template(const Aperture& aperture, const Spectrum& lamp,
                             const TemplateOptions& options, const std::string& lamp_name = "");
 
+/// The template of a closed eye: black, of no area and no captured light, with a scale of 1.
+GlareTemplate dark_template(double aperture_width_mm, const Spectrum& lamp,
+                            const TemplateOptions& options, const std::string& lamp_name = "");
+
 /// The same in two steps, for several lamps, observers, colour spaces, normalisations and so on, on
 /// one aperture: only the first, with its Fourier transform, needs the aperture.
 ///

@@ -102,6 +102,11 @@ class AttributeReader {
     if (!std::isfinite(number)) fail("the attribute " + name + " isn't finite");
     return number;
   }
+  double not_negative(const std::string& name) const {
+    const double value = number(name);
+    if (!(value >= 0)) fail("the attribute " + name + " is negative");
+    return value;
+  }
   double positive(const std::string& name) const {
     const double positive = number(name);
     if (!(positive > 0)) fail("the attribute " + name + " isn't positive");
@@ -166,7 +171,7 @@ void read_attributes(const AttributeReader& reader, GlareTemplate& t) {
   const auto& range = reader.value<Imf::V2fAttribute>("glare:wavelengthRange_nm");
   t.wavelength_range_nm = {range.x, range.y};
   t.aperture_width_mm = reader.positive("glare:apertureWidth_mm");
-  t.aperture_area_mm2 = reader.positive("glare:apertureArea_mm2");
+  t.aperture_area_mm2 = reader.not_negative("glare:apertureArea_mm2");
   read_scatter(reader, t);
   if (reader.header().find("glare:aberrations") != reader.header().end())
     t.aberrations = reader.text("glare:aberrations");
