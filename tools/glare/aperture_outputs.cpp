@@ -8,6 +8,7 @@
 #include <set>
 #include <system_error>
 
+#include "canonical.h"
 #include "glare/base/error.h"
 #include "glare/io/atomic_file.h"
 #include "glare/io/memory.h"
@@ -17,12 +18,6 @@ namespace glare::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path canonical(const std::string& file) {
-  std::error_code error;
-  const fs::path path = fs::weakly_canonical(file, error);
-  return error ? fs::path(file) : path;
-}
 
 bool is_picture(const std::string& file) {
   const std::string ending = CLI::detail::to_lower(fs::path(file).extension().string());

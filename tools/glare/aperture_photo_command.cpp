@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "aperture_outputs.h"
+#include "canonical.h"
 #include "commands.h"
 #include "console.h"
 #include "glare/base/error.h"
@@ -36,12 +38,6 @@ struct Output {
   std::string path;
   std::vector<std::byte> bytes;
 };
-
-fs::path canonical(const std::string& file) {
-  std::error_code error;
-  const fs::path path = fs::weakly_canonical(file, error);
-  return error ? fs::path(file) : path;
-}
 
 /// What is asked for, in the order of the options.
 std::vector<Output> outputs_of(const PhotoArguments& a) {
@@ -120,10 +116,27 @@ Json as_json(const EyePhoto& eye, const PhotoArguments& a, const RgbImage& photo
           {"aperture_size_px", eye.pupil.transmittance.width()}};
 }
 
+std::string recipe_of(const PhotoArguments& a, const EyePhoto& eye) {
+  std::vector<OptionText> options = {{fs::path(a.input).filename().string(), {}},
+                                     {"--mm-per-px", {text_of(eye.mm_per_px)}},
+                                     {"--width-mm", {text_of(eye.pupil.width_mm)}},
+                                     {"--size", {std::to_string(eye.pupil.transmittance.width())}}};
+  const auto add = [&](const char* name, const std::vector<double>& numbers) {
+    OptionText option{name, {}};
+    for (const double number : numbers) option.values.push_back(text_of(number));
+    if (!numbers.empty()) options.push_back(option);
+  };
+  add("--pupil-at", a.pupil_at);
+  add("--lashes-region", a.region);
+  add("--lashes-shift-mm", a.shift);
+  if (a.flip) options.push_back({"--lashes-flip", {}});
+  return aperture_recipe("photo", options);
+}
+
 std::vector<std::byte> bytes_of(const Output& output, const PhotoArguments& a, const EyePhoto& eye,
                                 const RgbImage& photograph) {
-  if (output.path == a.pupil_out) return encode_png_gray16(eye.pupil.transmittance);
-  if (output.path == a.eyelashes_out) return encode_png_gray16(eye.eyelashes.transmittance);
+  if (output.path == a.pupil_out) return encode_aperture_png(eye.pupil, recipe_of(a, eye));
+  if (output.path == a.eyelashes_out) return encode_aperture_png(eye.eyelashes, recipe_of(a, eye));
   if (output.path == a.mask_out) return encode_png_gray8(eye.mask);
   return encode_png_rgb8(check_picture(photograph, eye));
 }

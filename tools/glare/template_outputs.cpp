@@ -6,6 +6,7 @@
 #include <set>
 #include <system_error>
 
+#include "canonical.h"
 #include "glare/base/error.h"
 #include "glare/io/atomic_file.h"
 #include "glare/spectrum/lamps.h"
@@ -65,13 +66,6 @@ void require_no_other_ending(const std::string& path, const std::string& ending,
        {".exr", ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".hdr", ".bmp", ".csv"})
     if (extension == other)
       throw OptionError(option + " " + path + ": expected a name that ends in " + ending);
-}
-
-/// One name for each file, however it is reached.
-fs::path canonical(const std::string& file) {
-  std::error_code error;
-  const fs::path path = fs::weakly_canonical(file, error);
-  return error ? fs::path(file) : path;
 }
 
 std::set<fs::path> inputs_of(const TemplateArguments& a) {

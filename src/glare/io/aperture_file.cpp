@@ -45,13 +45,6 @@ std::string text_of_float(double value) {
   return text;
 }
 
-std::vector<std::byte> png_of(const Aperture& aperture, const std::string& recipe) {
-  std::vector<std::byte> png = encode_png_gray16(aperture.transmittance);
-  png = image_io::png_with_text(png, "glare:software", "glare " GLARE_VERSION);
-  png = image_io::png_with_text(png, "glare:recipe", recipe);
-  return image_io::png_with_text(png, image_io::kWidthTag, text_of_float(aperture.width_mm));
-}
-
 }  // namespace
 
 ApertureRead read_aperture(const ApertureFiles& files) {
@@ -70,6 +63,13 @@ ApertureRead read_aperture(const ApertureFiles& files) {
   return result;
 }
 
+std::vector<std::byte> encode_aperture_png(const Aperture& aperture, const std::string& recipe) {
+  std::vector<std::byte> png = encode_png_gray16(aperture.transmittance);
+  png = image_io::png_with_text(png, "glare:software", "glare " GLARE_VERSION);
+  png = image_io::png_with_text(png, "glare:recipe", recipe);
+  return image_io::png_with_text(png, image_io::kWidthTag, text_of_float(aperture.width_mm));
+}
+
 void write_aperture(const std::filesystem::path& path, const Aperture& aperture,
                     const std::string& recipe, const std::function<bool()>& keep_going) {
   if (aperture.unlimited_energy_area_mm2)
@@ -78,7 +78,7 @@ void write_aperture(const std::filesystem::path& path, const Aperture& aperture,
   if (ending == ".exr")
     openexr_io::write_aperture(path, aperture, recipe, keep_going);
   else if (ending == ".png")
-    write_file_atomically(path, png_of(aperture, recipe), keep_going);
+    write_file_atomically(path, encode_aperture_png(aperture, recipe), keep_going);
   else
     throw OptionError(path.string() + ": expected a name that ends in .exr or .png");
 }

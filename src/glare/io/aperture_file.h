@@ -1,6 +1,7 @@
 // Apertures from pictures, and to pictures.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -31,6 +32,9 @@ struct ApertureRead {
 /// Throws `InputError`, also where two files tell different widths, `OptionError` for a width
 /// outside its range or where none is given and none is told, `MemoryError`.
 ApertureRead read_aperture(const ApertureFiles& files);
+
+/// The PNG file that `write_aperture` writes.
+std::vector<std::byte> encode_aperture_png(const Aperture& aperture, const std::string& recipe);
 
 /// Writes an aperture's picture, all or nothing: OpenEXR (one channel of 32-bit floats) where the
 /// name ends in .exr, 16-bit grey PNG where it ends in .png. Attributes of the OpenEXR file, texts
