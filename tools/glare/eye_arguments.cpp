@@ -1,8 +1,11 @@
 #include "eye_arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <system_error>
 
 namespace glare::tool {
 
@@ -131,9 +134,11 @@ std::vector<CLI::Option*> add_eye_model_options(CLI::App& command, EyeArguments&
                     .add_flag("--clear-media", arguments.clear_media,
                               "Nothing inside the eye: no particles, fibres, sutures")
                     ->group("Built-in eye: inside"));
-  const auto whole_number = [](std::string& text) {
-    const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
-    return digits && !text.empty() && text.size() < 20 ? "" : "'" + text + "' isn't a whole number";
+  const auto whole_number = [](std::string& text) {  // CLI11 would let it wrap around.
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc{} && stop == end ? "" : "'" + text + "' isn't a whole number";
   };
   all.push_back(command.add_option("--seed", arguments.parameters.seed, "Which eye of all")
                     ->check(CLI::Validator(whole_number, ""))
