@@ -45,11 +45,16 @@ struct EyelidParameters {
 /// One lid's lashes. Each leaves the lid's margin towards the lamp, bends away from the pupil in an
 /// arc, and is seen from the lamp, foreshortened.
 struct EyelashParameters {
-  /// On the whole lid, 0 to 1000.
+  /// On the whole lid, 0 to 1000. An upper lid has 90 to 160, in 5 to 6 rows, a lower one 75 to 80,
+  /// in 3 to 4 (Aumond and Bitton, The eyelash follicle features and anomalies: a review, J.
+  /// Optometry 11, 2018).
   int count = 120;
-  /// Of the longest lashes, at the lid's middle, 0.1 to 20 mm.
+  /// Of the longest lashes, at the lid's middle, 0.1 to 20 mm: 8 to 12 mm on an upper lid, 6 to 8 on
+  /// a lower one (the same).
   double length_mm = 10;
-  /// Width at the root, 1e-6 to 0.5 mm, of the thickest ones; and the tip's share of it, 0 to 1.
+  /// Width at the root, 1e-6 to 0.5 mm, of the thickest ones; and the tip's share of it, 0 to 1. An
+  /// adult's lashes are some 0.06 to 0.1 mm wide. This taper, and the directions and the clumping
+  /// below, are choices by eye: no measurements were found.
   double root_width_mm = 0.1, tip_share = 0.2;
   /// Angle between the line of sight and a lash at its root, -90 to 90: at 0 it points at the lamp,
   /// at 90 it lies across the pupil, and below 0 it leads away from it.
