@@ -49,8 +49,8 @@ struct EyelashParameters {
   /// in 3 to 4 (Aumond and Bitton, The eyelash follicle features and anomalies: a review, J.
   /// Optometry 11, 2018).
   int count = 120;
-  /// Of the longest lashes, at the lid's middle, 0.1 to 20 mm: 8 to 12 mm on an upper lid, 6 to 8 on
-  /// a lower one (the same).
+  /// Of the longest lashes, at the lid's middle, 0.1 to 20 mm: 8 to 12 mm on an upper lid, 6 to 8
+  /// on a lower one (the same).
   double length_mm = 10;
   /// Width at the root, 1e-6 to 0.5 mm, of the thickest ones; and the tip's share of it, 0 to 1. An
   /// adult's lashes are some 0.06 to 0.1 mm wide. This taper, and the directions and the clumping

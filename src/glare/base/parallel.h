@@ -10,8 +10,8 @@
 
 namespace glare {
 
-/// The number of threads used when asked for `threads` (0: as many as the machine has): no more than
-/// the machine has.
+/// The number of threads used when asked for `threads` (0: as many as the machine has): no more
+/// than the machine has.
 int threads_used(int threads);
 
 /// Calls `task(i)` once for each i in [0, count), on `threads` threads (0: as many as the machine
