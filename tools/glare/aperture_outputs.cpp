@@ -8,7 +8,7 @@
 #include <set>
 #include <system_error>
 
-#include "canonical.h"
+#include "file_names.h"
 #include "glare/base/error.h"
 #include "glare/io/atomic_file.h"
 #include "glare/io/memory.h"
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_picture(const std::string& file) {
-  const std::string ending = CLI::detail::to_lower(fs::path(file).extension().string());
+  const std::string ending = ending_of(file);
   return ending == ".exr" || ending == ".png";
 }
 

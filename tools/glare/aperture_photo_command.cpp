@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "aperture_outputs.h"
-#include "canonical.h"
 #include "commands.h"
 #include "console.h"
+#include "file_names.h"
 #include "glare/base/error.h"
 #include "glare/glare_io.h"
 #include "interruption.h"
@@ -61,10 +61,7 @@ void require_possible(const std::vector<Output>& outputs, const PhotoArguments& 
       throw OptionError(std::string(output.option) + " " + output.path +
                         ": another output has the same name");
     taken.push_back(path);
-    std::string ending = fs::path(output.path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    if (ending != ".png")
+    if (ending_of(output.path) != ".png")
       throw OptionError(std::string(output.option) + " " + output.path +
                         ": expected a name that ends in .png");
     require_writable(output.path);

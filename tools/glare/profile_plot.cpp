@@ -8,6 +8,7 @@
 #include <optional>
 #include <system_error>
 
+#include "file_names.h"
 #include "glare/base/error.h"
 #include "glare/base/units.h"
 #include "glare/io/atomic_file.h"
@@ -264,13 +265,10 @@ std::string profile_plot_svg(const ProfilePlot& plot) {
 void require_plot_writable(const std::string& plot, const std::string& input) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (fs::weakly_canonical(plot, error) == fs::weakly_canonical(input, error) ||
-      fs::equivalent(plot, input, error))
+  if (canonical(plot) == canonical(input) || fs::equivalent(plot, input, error))
     throw OptionError("the output " + plot + " is an input too");
-  std::string ending = fs::path(plot).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  if (ending != ".svg") throw OptionError("--plot " + plot + ": expected a name that ends in .svg");
+  if (ending_of(plot) != ".svg")
+    throw OptionError("--plot " + plot + ": expected a name that ends in .svg");
   require_writable(plot);
 }
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <system_error>
 
-#include "canonical.h"
+#include "file_names.h"
 #include "glare/base/error.h"
 #include "glare/io/atomic_file.h"
 #include "glare/spectrum/lamps.h"
@@ -42,12 +42,6 @@ std::string word_of(const std::string& lamp) {
   return word;
 }
 
-std::string in_small_letters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return text;
-}
-
 void require_placeholder(const std::string& option, const std::string& pattern) {
   if (!pattern.empty() && !has_placeholder(pattern))
     throw OptionError(option + " " + pattern +
@@ -60,7 +54,7 @@ void require_placeholder(const std::string& option, const std::string& pattern) 
 /// A file of one kind isn't given the ending of another.
 void require_no_other_ending(const std::string& path, const std::string& ending,
                              const std::string& option) {
-  const std::string extension = in_small_letters(fs::path(path).extension().string());
+  const std::string extension = ending_of(path);
   if (path.empty() || extension == ending) return;
   for (const char* other :
        {".exr", ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".hdr", ".bmp", ".csv"})

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "glare/aperture/eye/split_mix.h"
 #include "glare/base/error.h"
 #include "glare/base/parallel.h"
+#include "glare/base/range_check.h"
 
 namespace glare {
 
@@ -20,18 +20,15 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kPicturePerDiameter = 1.04;
 constexpr int kMaxPictureWidth = 65535;
 
-void require_in_range(const char* name, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  char text[160];
-  std::snprintf(text, sizeof text, "diaphragm: %s is %g, expected %g to %g", name, value, low,
-                high);
-  throw OptionError(text);
+void require_of_diaphragm(const std::string& name, double value, double low, double high) {
+  require_in_range("diaphragm: " + name, value, low, high);
 }
 
 /// Width of the picture in pixels.
 int picture_width(const DiaphragmParameters& p, double max_pixel_mm) {
   const double width_mm = diaphragm_picture_width_mm(p);
-  require_in_range("max_pixel_mm", max_pixel_mm, width_mm / kMaxPictureWidth, p.diameter_mm / 16);
+  require_of_diaphragm("max_pixel_mm", max_pixel_mm, width_mm / kMaxPictureWidth,
+                       p.diameter_mm / 16);
   // Slightly less than the quotient, so that a width_mm / n given as max_pixel_mm gives n pixels.
   return static_cast<int>(std::ceil(width_mm / max_pixel_mm * (1 - 1e-12)));
 }
@@ -148,15 +145,15 @@ void draw_rows(const Grid& grid, const Outline& opening, const std::vector<Outli
 }  // namespace
 
 void require_valid(const DiaphragmParameters& p) {
-  require_in_range("diameter_mm", p.diameter_mm, 0.1, 200);
-  require_in_range("blade_count", p.blade_count, 3, 32);
-  require_in_range("roundness", p.roundness, 0, 1);
-  require_in_range("rotation_deg", p.rotation_deg, -360, 360);
-  require_in_range("dust_count", p.dust_count, 0, 10000);
-  require_in_range("dust_diameter_mm", p.dust_diameter_mm, 0.001, 5);
-  require_in_range("scratch_count", p.scratch_count, 0, 1000);
-  require_in_range("scratch_length_mm", p.scratch_length_mm, 0.01, 200);
-  require_in_range("scratch_width_mm", p.scratch_width_mm, 0.0001, 1);
+  require_of_diaphragm("diameter_mm", p.diameter_mm, 0.1, 200);
+  require_of_diaphragm("blade_count", p.blade_count, 3, 32);
+  require_of_diaphragm("roundness", p.roundness, 0, 1);
+  require_of_diaphragm("rotation_deg", p.rotation_deg, -360, 360);
+  require_of_diaphragm("dust_count", p.dust_count, 0, 10000);
+  require_of_diaphragm("dust_diameter_mm", p.dust_diameter_mm, 0.001, 5);
+  require_of_diaphragm("scratch_count", p.scratch_count, 0, 1000);
+  require_of_diaphragm("scratch_length_mm", p.scratch_length_mm, 0.01, 200);
+  require_of_diaphragm("scratch_width_mm", p.scratch_width_mm, 0.0001, 1);
 }
 
 double diaphragm_picture_width_mm(const DiaphragmParameters& parameters) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "glare/aperture/coverage.h"
@@ -11,6 +10,7 @@
 #include "glare/aperture/eye/pupil.h"
 #include "glare/base/error.h"
 #include "glare/base/parallel.h"
+#include "glare/base/range_check.h"
 
 namespace glare {
 
@@ -19,47 +19,43 @@ namespace {
 constexpr double picture_per_pupil = 1.04;
 constexpr int max_picture_width = 65536;
 
-void require_in_range(const std::string& name, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  char text[160];
-  std::snprintf(text, sizeof text, "eye: %s is %g, expected %g to %g", name.c_str(), value, low,
-                high);
-  throw OptionError(text);
+void require_of_eye(const std::string& name, double value, double low, double high) {
+  require_in_range("eye: " + name, value, low, high);
 }
 
 void require_valid(const PupilParameters& p) {
   constexpr double most_irregular = 0.03;  // Of the diameter.
-  require_in_range("pupil diameter_mm", p.diameter_mm, 1, 10);
-  require_in_range("pupil axis_ratio", p.axis_ratio, 0.5, 1);
-  require_in_range("pupil longer_axis_deg", p.longer_axis_deg, -180, 180);
-  require_in_range("pupil decentring_x_mm", p.decentring_x_mm, -1, 1);
-  require_in_range("pupil decentring_y_mm", p.decentring_y_mm, -1, 1);
+  require_of_eye("pupil diameter_mm", p.diameter_mm, 1, 10);
+  require_of_eye("pupil axis_ratio", p.axis_ratio, 0.5, 1);
+  require_of_eye("pupil longer_axis_deg", p.longer_axis_deg, -180, 180);
+  require_of_eye("pupil decentring_x_mm", p.decentring_x_mm, -1, 1);
+  require_of_eye("pupil decentring_y_mm", p.decentring_y_mm, -1, 1);
   const double most_mm = most_irregular * p.diameter_mm;
-  require_in_range("pupil crypt_irregularity_mm", p.crypt_irregularity_mm, 0, most_mm);
-  require_in_range("pupil ruff_irregularity_mm", p.ruff_irregularity_mm, 0, most_mm);
+  require_of_eye("pupil crypt_irregularity_mm", p.crypt_irregularity_mm, 0, most_mm);
+  require_of_eye("pupil ruff_irregularity_mm", p.ruff_irregularity_mm, 0, most_mm);
 }
 
 void require_valid(const EyelidParameters& p) {
-  require_in_range("eyelid opening_mm", p.opening_mm, 0.1, 14);
-  require_in_range("eyelid share_above", p.share_above, 0, 1);
+  require_of_eye("eyelid opening_mm", p.opening_mm, 0.1, 14);
+  require_of_eye("eyelid share_above", p.share_above, 0, 1);
 }
 
 void require_valid(const EyelashParameters& p, const std::string& lid) {
-  require_in_range(lid + " lash count", p.count, 0, 1000);
-  require_in_range(lid + " lash length_mm", p.length_mm, 0.1, 20);
-  require_in_range(lid + " lash root_width_mm", p.root_width_mm, 1e-6, 0.5);
-  require_in_range(lid + " lash tip_share", p.tip_share, 0, 1);
-  require_in_range(lid + " lash droop_deg", p.droop_deg, -90, 90);
-  require_in_range(lid + " lash curl_deg", p.curl_deg, 0, 180);
-  require_in_range(lid + " lash fan_deg", p.fan_deg, -90, 90);
-  require_in_range(lid + " lash scatter_deg", p.scatter_deg, 0, 45);
-  require_in_range(lid + " lash clumping", p.clumping, 0, 1);
+  require_of_eye(lid + " lash count", p.count, 0, 1000);
+  require_of_eye(lid + " lash length_mm", p.length_mm, 0.1, 20);
+  require_of_eye(lid + " lash root_width_mm", p.root_width_mm, 1e-6, 0.5);
+  require_of_eye(lid + " lash tip_share", p.tip_share, 0, 1);
+  require_of_eye(lid + " lash droop_deg", p.droop_deg, -90, 90);
+  require_of_eye(lid + " lash curl_deg", p.curl_deg, 0, 180);
+  require_of_eye(lid + " lash fan_deg", p.fan_deg, -90, 90);
+  require_of_eye(lid + " lash scatter_deg", p.scatter_deg, 0, 45);
+  require_of_eye(lid + " lash clumping", p.clumping, 0, 1);
 }
 
 /// Width of the picture in pixels.
 int picture_width(double width_mm, double pupil_diameter_mm, double max_pixel_mm) {
-  require_in_range("max_pixel_mm", max_pixel_mm, width_mm / max_picture_width,
-                   pupil_diameter_mm / 16);
+  require_of_eye("max_pixel_mm", max_pixel_mm, width_mm / max_picture_width,
+                 pupil_diameter_mm / 16);
   // Slightly less than the quotient, so that a width_mm / n given as max_pixel_mm gives n pixels.
   return static_cast<int>(std::ceil(width_mm / max_pixel_mm * (1 - 1e-12)));
 }
@@ -82,9 +78,9 @@ void require_valid(const EyeParameters& p) {
   require_valid(p.particles);
   require_valid(p.lens);
   constexpr double most_hippus = 0.1;  // Of the diameter.
-  require_in_range("motion hippus_mm", p.motion.hippus_mm, 0, most_hippus * p.pupil.diameter_mm);
-  require_in_range("motion blinks_per_minute", p.motion.blinks_per_minute, 0, 40);
-  require_in_range("time_s", p.time_s, 0, 1e6);
+  require_of_eye("motion hippus_mm", p.motion.hippus_mm, 0, most_hippus * p.pupil.diameter_mm);
+  require_of_eye("motion blinks_per_minute", p.motion.blinks_per_minute, 0, 40);
+  require_of_eye("time_s", p.time_s, 0, 1e6);
 }
 
 double eye_picture_width_mm(const EyeParameters& parameters) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "glare/base/error.h"
+#include "glare/base/range_check.h"
 #include "glare/wavefront/wavefront_map.h"
 
 namespace glare {
@@ -21,19 +22,18 @@ std::string text_of(const char* format, Numbers... numbers) {
   return text;
 }
 
-void require_in_range(const char* name, double value, double low, double high) {
-  if (!(value >= low && value <= high))
-    throw OptionError(text_of("aberrations: %s is %g, expected %g to %g", name, value, low, high));
+void require_of_aberrations(const std::string& name, double value, double low, double high) {
+  require_in_range("aberrations: " + name, value, low, high);
 }
 
 void require_valid(const ZernikeWavefront& zernike) {
   if (zernike.coefficients.empty()) return;
-  require_in_range("the Zernike polynomials' pupil diameter (mm)", zernike.pupil_diameter_mm, 0.1,
-                   50);
+  require_of_aberrations("the Zernike polynomials' pupil diameter (mm)", zernike.pupil_diameter_mm,
+                         0.1, 50);
   std::set<int> seen;
   for (const ZernikeCoefficient& term : zernike.coefficients) {
-    require_in_range("a Zernike index j", term.j, 0, highest_zernike_j());
-    require_in_range("a Zernike coefficient (um)", term.value_um, -kMost_um, kMost_um);
+    require_of_aberrations("a Zernike index j", term.j, 0, highest_zernike_j());
+    require_of_aberrations("a Zernike coefficient (um)", term.value_um, -kMost_um, kMost_um);
     if (!seen.insert(term.j).second)
       throw OptionError(text_of("aberrations: the Zernike index %d is there twice", term.j));
   }
@@ -53,17 +53,18 @@ bool Aberrations::has_phase() const {
 }
 
 void require_valid(const Aberrations& a) {
-  require_in_range("the defocus (dioptres)", a.defocus_dioptre, -kMost_dioptre, kMost_dioptre);
+  require_of_aberrations("the defocus (dioptres)", a.defocus_dioptre, -kMost_dioptre,
+                         kMost_dioptre);
   require_valid(a.zernike);
-  require_in_range("the wavelength in focus (nm)", a.focused_nm, 300, 1000);
-  require_in_range("the pupil's centre (mm)", a.pupil_center.x_mm, -kMostOffCenter_mm,
-                   kMostOffCenter_mm);
-  require_in_range("the pupil's centre (mm)", a.pupil_center.y_mm, -kMostOffCenter_mm,
-                   kMostOffCenter_mm);
+  require_of_aberrations("the wavelength in focus (nm)", a.focused_nm, 300, 1000);
+  require_of_aberrations("the pupil's centre (mm)", a.pupil_center.x_mm, -kMostOffCenter_mm,
+                         kMostOffCenter_mm);
+  require_of_aberrations("the pupil's centre (mm)", a.pupil_center.y_mm, -kMostOffCenter_mm,
+                         kMostOffCenter_mm);
   if (!a.stiles_crawford) return;
-  require_in_range("Stiles-Crawford's rho (per mm^2)", a.stiles_crawford->rho_per_mm2, 0, 1);
-  require_in_range("the Stiles-Crawford peak (mm)", a.stiles_crawford->peak.x_mm, -10, 10);
-  require_in_range("the Stiles-Crawford peak (mm)", a.stiles_crawford->peak.y_mm, -10, 10);
+  require_of_aberrations("Stiles-Crawford's rho (per mm^2)", a.stiles_crawford->rho_per_mm2, 0, 1);
+  require_of_aberrations("the Stiles-Crawford peak (mm)", a.stiles_crawford->peak.x_mm, -10, 10);
+  require_of_aberrations("the Stiles-Crawford peak (mm)", a.stiles_crawford->peak.y_mm, -10, 10);
 }
 
 double chromatic_refraction_dioptre(double wavelength_nm) {

@@ -1,11 +1,11 @@
 #include "glare/aperture/eye/particles.h"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
 #include "glare/base/error.h"
+#include "glare/base/range_check.h"
 
 namespace glare {
 
@@ -13,19 +13,12 @@ namespace {
 
 constexpr double max_area_share = 0.3;
 
-void require_in_range(const char* medium, const char* name, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  char text[160];
-  std::snprintf(text, sizeof text, "eye: %s.%s is %g, expected %g to %g", medium, name, value, low,
-                high);
-  throw OptionError(text);
-}
-
-void require_in_range(const char* medium, const MediumParticles& p) {
-  require_in_range(medium, "number_per_mm2", p.number_per_mm2, 0, 20000);
-  require_in_range(medium, "diameter_um", p.diameter_um, 0.2, 200);
-  require_in_range(medium, "diameter_spread", p.diameter_spread, 0, 0.6);
-  require_in_range(medium, "drift_mm_per_s", p.drift_mm_per_s, 0, 1);
+void require_valid(const std::string& medium, const MediumParticles& p) {
+  const std::string begin = "eye: " + medium + ".";
+  require_in_range(begin + "number_per_mm2", p.number_per_mm2, 0, 20000);
+  require_in_range(begin + "diameter_um", p.diameter_um, 0.2, 200);
+  require_in_range(begin + "diameter_spread", p.diameter_spread, 0, 0.6);
+  require_in_range(begin + "drift_mm_per_s", p.drift_mm_per_s, 0, 1);
 }
 
 /// Mean of exp(k spread z), where z is the sum of 12 uniform deviates between -0.5 and 0.5.
@@ -51,9 +44,9 @@ double area_share(const MediumParticles& p) {
 }
 
 void require_valid(const ParticleParameters& p) {
-  require_in_range("cornea", p.cornea);
-  require_in_range("lens", p.lens);
-  require_in_range("vitreous", p.vitreous);
+  require_valid("cornea", p.cornea);
+  require_valid("lens", p.lens);
+  require_valid("vitreous", p.vitreous);
   const double share = area_share(p.cornea) + area_share(p.lens) + area_share(p.vitreous);
   if (share > max_area_share)
     throw OptionError("eye: the particles cover " + std::to_string(100 * share) +

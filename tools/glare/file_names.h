@@ -1,6 +1,7 @@
-// One name for each file.
+// Names of files.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -13,6 +14,17 @@ inline std::filesystem::path canonical(const std::string& file) {
   const std::filesystem::path path =
       std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
   return error ? std::filesystem::path(file) : path;
+}
+
+inline std::string in_small_letters(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return text;
+}
+
+/// What a name ends in, such as ".exr", in small letters.
+inline std::string ending_of(const std::string& file) {
+  return in_small_letters(std::filesystem::path(file).extension().string());
 }
 
 }  // namespace glare::tool
