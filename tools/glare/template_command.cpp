@@ -42,12 +42,26 @@ WavelengthRange range_of(const NamedLamp& lamp, const TemplateOptions& options) 
   }
 }
 
+/// The lamps' tables, with a warning for each that misses much of the light.
+std::vector<NamedLamp> read_lamps(const TemplateArguments& arguments) {
+  const Console console(arguments.verbosity());
+  const TemplateOptions options = template_options(arguments);
+  std::vector<NamedLamp> lamps;
+  for (const std::string& lamp : arguments.lamps) lamps.push_back(lamp_from(lamp));
+  for (const NamedLamp& lamp : lamps) {
+    range_of(lamp, options);  // Tells first what is wrong with a lamp.
+    warn_of_missed_light(lamp, options, console);
+  }
+  return lamps;
+}
+
 /// The lamps with their outputs; whatever is wrong with one of them is told before any work.
-std::vector<Task> tasks_of(const TemplateArguments& arguments) {
+std::vector<Task> tasks_of(const TemplateArguments& arguments, const std::vector<NamedLamp>& lamps,
+                           const TemplateOptions& options) {
   const std::vector<TemplateOutput> outputs = template_outputs(arguments);
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < outputs.size(); ++i)
-    tasks.push_back({lamp_from(arguments.lamps[i]), outputs[i], {}, {}});
+    tasks.push_back({lamps[i], outputs[i], range_of(lamps[i], options), {}});
   return tasks;
 }
 
@@ -138,15 +152,11 @@ void make_templates(const std::vector<Task>& tasks, const TemplateArguments& arg
   }
 }
 
-void make_frame(const TemplateArguments& arguments, SequenceScale& scale) {
+void make_frame(const TemplateArguments& arguments, const std::vector<NamedLamp>& lamps,
+                SequenceScale& scale) {
   const Console console(arguments.verbosity());
-  require_consistent(arguments);
-  std::vector<Task> tasks = tasks_of(arguments);
   const TemplateOptions options = template_options(arguments);
-  for (Task& task : tasks) {
-    task.range = range_of(task.lamp, options);
-    warn_of_missed_light(task.lamp, options, console);
-  }
+  std::vector<Task> tasks = tasks_of(arguments, lamps, options);
   sort_by_range(tasks);
 
   TemplateOptics optics(arguments, options, console);
@@ -159,13 +169,15 @@ void make_frame(const TemplateArguments& arguments, SequenceScale& scale) {
 void run_template(const TemplateArguments& arguments) {
   require_frame_in("--output", arguments.output, arguments.frames);
   require_frame_in("--preview", arguments.preview, arguments.frames);
+  require_consistent(arguments);
+  const std::vector<NamedLamp> lamps = read_lamps(arguments);
   SequenceScale scale;
   for (int i = 0; i < arguments.frames.count; ++i) {
     TemplateArguments frame = arguments;
     frame.eye.parameters.time_s += time_of_frame_s(arguments.frames, i);
     frame.output = with_frame(arguments.output, i);
     frame.preview = with_frame(arguments.preview, i);
-    make_frame(frame, scale);
+    make_frame(frame, lamps, scale);
   }
 }
 
