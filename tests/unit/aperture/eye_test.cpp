@@ -10,6 +10,7 @@
 
 #include "glare/base/error.h"
 #include "support/eyes.h"
+#include "support/refusals.h"
 
 namespace glare {
 namespace {
@@ -342,12 +343,7 @@ TEST(Eye, ExtremeParametersAreDrawn) {
 void expect_refused(void (*change)(EyeParameters&), const char* name) {
   EyeParameters parameters;
   change(parameters);
-  try {
-    draw_eye(parameters, 0.05);
-    ADD_FAILURE() << name << " was accepted";
-  } catch (const OptionError& error) {
-    EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
-  }
+  test::expect_refused([&] { draw_eye(parameters, 0.05); }, name);
 }
 
 TEST(Eye, RefusesParametersOutsideTheirRange) {

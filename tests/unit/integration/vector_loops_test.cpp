@@ -5,43 +5,21 @@
 
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
+
+#include "support/every_target.h"
 
 namespace glare {
 namespace {
 
 constexpr float kUntouched = 1234.5f;
 
-/// Sums of so many products of values between -1 and 1, in single precision: a rounding each.
-double rounding(std::size_t products) { return 6e-8 * static_cast<double>(products + 2); }
+using test::random_values;
+using test::rounding;
 
-std::vector<float> random_values(std::size_t count) {
-  static std::mt19937 random(1);
-  std::uniform_real_distribution<float> value(-1, 1);
-  std::vector<float> values(count);
-  for (float& v : values) v = value(random);
-  return values;
-}
-
-/// Each test is run with every instruction set that was compiled and that the machine has, down to
-/// the one that any machine has. All meet the same plain loops in double, and so one another.
-class VectorLoops : public testing::TestWithParam<std::int64_t> {
- protected:
-  void SetUp() override { choose(GetParam()); }
-  void TearDown() override { choose(0); }
-
- private:
-  static void choose(std::int64_t targets) {  // 0: all of them.
-    hwy::SetSupportedTargetsForTest(targets);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
-
-INSTANTIATE_TEST_SUITE_P(EveryTarget, VectorLoops,
-                         testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
-                         [](const auto& test) { return hwy::TargetName(test.param); });
+class VectorLoops : public test::EveryTarget {};
+INSTANTIATE_TEST_SUITE_P(EveryTarget, VectorLoops, test::every_target(), test::target_name);
 
 TEST_P(VectorLoops, UseTheTargetAskedFor) {
   EXPECT_EQ(std::string(vector_target_name()), hwy::TargetName(GetParam()));
