@@ -8,6 +8,8 @@
 #include "glare/io/image_file.h"
 #include "glare/io/lamp_file.h"
 #include "glare/io/memory.h"
+#include "glare/io/photometry_file.h"
+#include "glare/io/picture_file.h"
 #include "glare/io/sha256.h"
 #include "glare/io/template_file.h"
 #include "glare/io/transform_cache.h"

@@ -18,4 +18,15 @@ std::array<float, 3> desaturated_into_gamut(const std::array<float, 3>& rgb,
   return result;
 }
 
+std::array<float, 3> limited_to_white(const std::array<float, 3>& unit_rgb, double luminance) {
+  const double largest = std::max({unit_rgb[0], unit_rgb[1], unit_rgb[2]});
+  double keep = 1;
+  if (luminance * largest > 1) keep = (1 - luminance) / (luminance * (largest - 1));
+  std::array<float, 3> result;
+  for (int k = 0; k < 3; ++k)
+    result[k] =
+        static_cast<float>(std::clamp(luminance * (1 + keep * (unit_rgb[k] - 1)), 0.0, 1.0));
+  return result;
+}
+
 }  // namespace glare

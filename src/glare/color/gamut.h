@@ -11,4 +11,9 @@ namespace glare {
 std::array<float, 3> desaturated_into_gamut(const std::array<float, 3>& rgb,
                                             const std::array<double, 3>& luminance_weights);
 
+/// A colour of luminance 1 without negative channels, `unit_rgb`, brought to `luminance`, in [0,
+/// 1]; where a channel would exceed 1, white, the colour moves towards grey just as far as it
+/// takes.
+std::array<float, 3> limited_to_white(const std::array<float, 3>& unit_rgb, double luminance);
+
 }  // namespace glare

@@ -2,6 +2,7 @@
 // in the module glare_color_config.
 #include "glare/io/color_config.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <new>
@@ -66,14 +67,16 @@ Matrix3 without_rounding_of_xyz(const Matrix3& rgb_from_xyz) {
   return identity;
 }
 
+Matrix3 role_from_xyz(module::InterchangeRole role) {
+  return role == module::InterchangeRole::aces ? aces_interchange_from_xyz() : identity_matrix();
+}
+
 Matrix3 space_from_xyz(const ConfigSpace& space) {
   Matrix3 space_from_role;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
       space_from_role[row][column] = space.space_from_role[row][column];
-  const Matrix3 role_from_xyz =
-      space.role == module::InterchangeRole::aces ? aces_interchange_from_xyz() : identity_matrix();
-  return without_rounding_of_xyz(space_from_role * role_from_xyz);
+  return without_rounding_of_xyz(space_from_role * role_from_xyz(space.role));
 }
 
 RgbColorSpace color_space_of(const std::string& name, const std::string& config,
@@ -94,6 +97,28 @@ void check_white(const RgbColorSpace& space, const std::string& config) {
   throw OptionError(message.str());
 }
 
+Image<std::array<float, 3>> interleaved(const Picture& picture) {
+  auto result = Image<std::array<float, 3>>::uninitialized(picture.width(), picture.height());
+  for (std::size_t i = 0; i < result.values().size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) result.values()[i][k] = picture.channels[k].values()[i];
+  return result;
+}
+
+module::DisplayRequest request_of(const Picture& picture, const std::string& config,
+                                  const std::string& display, const std::string& view) {
+  module::DisplayRequest request{};
+  request.config = config.c_str();
+  request.display = display.c_str();
+  request.view = view.c_str();
+  for (const auto role : {module::InterchangeRole::aces, module::InterchangeRole::cie_xyz_d65}) {
+    const Matrix3 matrix = role_from_xyz(role) * picture.color_space.xyz_from_rgb();
+    for (int row = 0; row < 3; ++row)
+      std::copy(matrix[row].begin(), matrix[row].end(),
+                request.role_from_rgb[static_cast<int>(role)][row]);
+  }
+  return request;
+}
+
 }  // namespace
 
 std::vector<std::string> built_in_color_space_names() {
@@ -112,6 +137,23 @@ RgbColorSpace find_color_space(const std::string& name, const std::filesystem::p
   const RgbColorSpace space = color_space_of(name, config, read_space(name, config));
   check_white(space, config);
   return space;
+}
+
+Image<std::array<float, 3>> displayed(const Picture& picture,
+                                      const std::filesystem::path& user_config,
+                                      const std::string& display, const std::string& view) {
+  check_is_file(user_config);
+  const std::string config = user_config.string();
+  Image<std::array<float, 3>> result = interleaved(picture);
+  if (result.empty()) return result;
+  module::DisplayRequest request = request_of(picture, config, display, view);
+  request.rgb = result.values().front().data();
+  request.width = picture.width();
+  request.height = picture.height();
+  module::Message message;
+  const auto outcome = module::color_config_reader().show(request, message);
+  if (outcome != ConfigOutcome::found) throw_refusal(outcome, "", config, message.text);
+  return result;
 }
 
 std::filesystem::path color_config_from_environment() {

@@ -1,11 +1,14 @@
 // Colour spaces by name, built in or from a user's OpenColorIO config.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "glare/base/image.h"
 #include "glare/color/color_space.h"
+#include "glare/picture/picture.h"
 
 namespace glare {
 
@@ -34,6 +37,18 @@ std::vector<std::string> built_in_color_space_names();
 /// Throws `Error` when a config is needed and the module glare_color_config can't be loaded.
 RgbColorSpace find_color_space(const std::string& name,
                                const std::filesystem::path& user_config = {});
+
+/// The picture as a display of `user_config`, a config as above, shows it in one of its views: the
+/// values for that display, in [0, 1] unless the view gives others. `display` and `view` are names,
+/// in upper or lower case, or empty for the config's defaults. The picture's colours are brought to
+/// the config's role by CIE XYZ, in the way that `find_color_space` has back.
+///
+/// Throws `OptionError` for a display or a view that there isn't, with those that there are;
+/// `InputError` and `Error` as above.
+Image<std::array<float, 3>> displayed(const Picture& picture,
+                                      const std::filesystem::path& user_config,
+                                      const std::string& display = {},
+                                      const std::string& view = {});
 
 /// The environment variable OCIO, by which programs agree on a config; empty when it isn't set.
 std::filesystem::path color_config_from_environment();

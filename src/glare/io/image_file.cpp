@@ -6,25 +6,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <new>
-#include <system_error>
 #include <utility>
 
 #include "glare/base/error.h"
-#include "glare/io/atomic_file.h"
 #include "glare/io/image/decoder.h"
 #include "glare/io/image/format.h"
-#include "glare/io/image/image_header.h"
+#include "glare/io/image/loading.h"
 #include "glare/io/image/text_tags.h"
 #include "glare/io/image/transmittance.h"
 
 namespace glare {
 
-using image_io::BadImage;
 using image_io::Bytes;
 using image_io::Format;
-using image_io::Header;
 using image_io::Pixels;
 using std::uint16_t;
 using std::uint64_t;
@@ -32,26 +26,10 @@ using std::uint8_t;
 
 namespace {
 
-Bytes read_limited(const std::filesystem::path& path, uint64_t max_bytes) {
-  std::error_code error;
-  const bool regular = std::filesystem::is_regular_file(path, error);
-  const uint64_t size = regular ? std::filesystem::file_size(path, error) : 0;
-  if (!error && size > max_bytes) throw MemoryError(size, max_bytes);
-  return read_file(path, max_bytes);
-}
-
-Pixels pixels_of(const Format& format, Bytes bytes, uint64_t max_bytes) try {
-  const Header header = format.checked(bytes);
-  image_io::require_fits(header, bytes.size(), max_bytes);
-  return image_io::decoded(format, header, bytes);
-} catch (const BadImage& bad) {
-  throw BadImage(std::string(bad.what()) + " (" + format.name + ")");
-}
-
 TransmittanceImage transmittance_from(Bytes bytes, uint64_t max_bytes) {
   const Format& format = image_io::recognized_format(bytes);
   const auto width_mm = image_io::positive_tag(bytes, image_io::kWidthTag);
-  const Pixels pixels = pixels_of(format, std::move(bytes), max_bytes);
+  const Pixels pixels = image_io::decoded_within(format, bytes, max_bytes, 1).pixels;
   TransmittanceImage image = image_io::interpreted(pixels, format.names_channels);
   image.width_mm = width_mm;
   return image;
@@ -59,25 +37,8 @@ TransmittanceImage transmittance_from(Bytes bytes, uint64_t max_bytes) {
 
 Photograph photograph_from(Bytes bytes, uint64_t max_bytes) {
   const Format& format = image_io::recognized_format(bytes);
-  const Pixels pixels = pixels_of(format, std::move(bytes), max_bytes);
+  const Pixels pixels = image_io::decoded_within(format, bytes, max_bytes, 3).pixels;
   return image_io::photograph_of(pixels, format.names_channels);
-}
-
-/// What `read` makes of the file's bytes, with every exception as a public one.
-template <typename Read>
-auto read_picture(const std::filesystem::path& path, uint64_t max_bytes, const Read& read) {
-  const std::string place = path.string();
-  try {
-    return read(read_limited(path, max_bytes), max_bytes);
-  } catch (const BadImage& bad) {
-    throw InputError(place, bad.what());
-  } catch (const Error&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw MemoryError(max_bytes, max_bytes);
-  } catch (const std::exception& error) {
-    throw InputError(place, "the data are damaged: " + image_io::one_line(error.what()));
-  }
 }
 
 /// Thresholds of an 8 x 8 ordered dither: each of (2 i + 1) / 128 once, evenly spread.
@@ -92,14 +53,18 @@ float dither_threshold(int x, int y) {
 
 float limited(float value) { return value > 0 ? std::min(value, 1.0f) : 0.0f; }
 
+uint16_t sample16_of(float value) {
+  return static_cast<uint16_t>(std::lround(limited(value) * 65535));
+}
+
 }  // namespace
 
 TransmittanceImage read_transmittance(const std::filesystem::path& path, uint64_t max_bytes) {
-  return read_picture(path, max_bytes, transmittance_from);
+  return image_io::read_with(path, max_bytes, transmittance_from);
 }
 
 Photograph read_photograph(const std::filesystem::path& path, uint64_t max_bytes) {
-  return read_picture(path, max_bytes, photograph_from);
+  return image_io::read_with(path, max_bytes, photograph_from);
 }
 
 std::vector<std::byte> encode_png_rgb8(const Image<std::array<float, 3>>& display_rgb) {
@@ -116,13 +81,20 @@ std::vector<std::byte> encode_png_rgb8(const Image<std::array<float, 3>>& displa
   return image_io::encoded_png_rgb8(display_rgb.width(), display_rgb.height(), samples);
 }
 
+std::vector<std::byte> encode_png_rgb16(const Image<std::array<float, 3>>& display_rgb) {
+  if (display_rgb.empty()) throw OutputError("PNG", "the picture has no pixels");
+  std::vector<uint16_t> samples;
+  samples.reserve(display_rgb.values().size() * 3);
+  for (const auto& rgb : display_rgb.values())
+    for (const float value : rgb) samples.push_back(sample16_of(value));
+  return image_io::encoded_png_rgb16(display_rgb.width(), display_rgb.height(), samples);
+}
+
 std::vector<std::byte> encode_png_gray16(const Image<float>& values) {
   if (values.empty()) throw OutputError("PNG", "the picture has no pixels");
   std::vector<uint16_t> samples;
   samples.reserve(values.values().size());
-  for (const float value : values.values()) {
-    samples.push_back(static_cast<uint16_t>(std::lround(limited(value) * 65535)));
-  }
+  for (const float value : values.values()) samples.push_back(sample16_of(value));
   return image_io::encoded_png_gray16(values.width(), values.height(), samples);
 }
 

@@ -49,6 +49,9 @@ TransmittanceImage read_transmittance(const std::filesystem::path& path, std::ui
 /// gives the same bytes. Throws `OutputError` for a picture without pixels.
 std::vector<std::byte> encode_png_rgb8(const Image<std::array<float, 3>>& display_rgb);
 
+/// The same with 16 bits, rounded to multiples of 1/65535 without a dither.
+std::vector<std::byte> encode_png_rgb16(const Image<std::array<float, 3>>& display_rgb);
+
 /// A 16-bit grey PNG file of values in [0, 1] (others are limited to it, NaN is 0), rounded to
 /// multiples of 1/65535; it carries no transfer curve. `read_transmittance` gives them back. Throws
 /// `OutputError` for a picture without pixels.

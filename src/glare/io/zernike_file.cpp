@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "glare/base/error.h"
+#include "glare/base/text_fields.h"
 #include "glare/io/atomic_file.h"
 
 namespace glare {
@@ -16,12 +17,6 @@ namespace {
 constexpr std::uint64_t kLargestTable_bytes = 1'000'000;
 constexpr double kMost_um = 1000, kNarrowest_mm = 0.1, kWidest_mm = 50;
 constexpr std::string_view kDiameterName = "pupil_diameter_mm";
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::vector<std::string_view> fields_of(std::string_view line) {
   std::vector<std::string_view> fields;
@@ -33,10 +28,9 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   }
 }
 
-template <typename Number>
-std::optional<Number> number_from(std::string_view text) {
+std::optional<int> whole_number_from(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  Number number{};
+  int number = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc{} || stop != end) return std::nullopt;
@@ -52,7 +46,7 @@ class TableReader {
     line_number_ = line_number;
     const auto fields = fields_of(line);
     if (fields[0] == kDiameterName) return take_diameter(fields);
-    const bool words = !number_from<double>(fields[0]);
+    const bool words = !number_from(fields[0]);
     if (words && !header_seen_ && columns_ == 0) {
       header_seen_ = true;
       return;
@@ -73,7 +67,7 @@ class TableReader {
   }
 
   void take_diameter(const std::vector<std::string_view>& fields) {
-    const auto diameter = fields.size() == 2 ? number_from<double>(fields[1]) : std::nullopt;
+    const auto diameter = fields.size() == 2 ? number_from(fields[1]) : std::nullopt;
     if (!diameter || !(*diameter >= kNarrowest_mm && *diameter <= kWidest_mm))
       fail("expected pupil_diameter_mm,D with D from 0.1 to 50");
     if (result_.pupil_diameter_mm > 0) fail("the pupil's diameter is there twice");
@@ -85,7 +79,7 @@ class TableReader {
     if (fields.size() != columns_ || (columns_ != 2 && columns_ != 3))
       fail("expected rows of j,coefficient_um, or all of n,m,coefficient_um");
     const int j = index_from(fields);
-    const auto value = number_from<double>(fields.back());
+    const auto value = number_from(fields.back());
     if (!value || !(std::abs(*value) <= kMost_um))
       fail("the coefficient isn't a number of at most 1000 um");
     const auto [earlier, is_new] = line_of_.emplace(j, line_number_);
@@ -95,8 +89,8 @@ class TableReader {
   }
 
   int index_from(const std::vector<std::string_view>& fields) const {
-    const auto first = number_from<int>(fields[0]);
-    const auto second = number_from<int>(fields[1]);
+    const auto first = whole_number_from(fields[0]);
+    const auto second = whole_number_from(fields[1]);
     if (columns_ == 2 && first && *first >= 0 && *first <= highest_zernike_j()) return *first;
     if (columns_ == 3 && first && second && is_valid({*first, *second}))
       return zernike_j({*first, *second});

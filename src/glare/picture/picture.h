@@ -18,4 +18,9 @@ struct Picture {
   int height() const { return channels[0].height(); }
 };
 
+/// The luminance in the middle of all pixels', of those where it is positive and finite; 1 where
+/// there are none. `channels` are those of a picture in `color_space`.
+double median_luminance(const std::array<Image<float>, 3>& channels,
+                        const RgbColorSpace& color_space);
+
 }  // namespace glare

@@ -1,29 +1,16 @@
 #include "glare/spectrum/spectrum_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <unordered_map>
 
 #include "glare/base/error.h"
+#include "glare/base/text_fields.h"
 
 namespace glare {
 
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r\v\f";
-
-std::string at_line(const std::string& place, int line_number) {
-  return place + ":" + std::to_string(line_number);
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 std::string_view without_quotes(std::string_view text) {
   if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
@@ -47,31 +34,6 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
     line = line.substr(end + 1);
     if (separator == ' ') line = trimmed(line);
   }
-}
-
-std::optional<double> number_from(std::string_view field, bool decimal_comma) {
-  std::string text(field);
-  if (decimal_comma) std::replace(text.begin(), text.end(), ',', '.');
-  const char* begin = text.c_str();
-  const char* const end = begin + text.size();
-  if (end - begin > 1 && *begin == '+' && begin[1] != '-') ++begin;
-  double number = 0;
-  const auto [stop, error] = std::from_chars(begin, end, number);
-  if (stop != end || begin == end || error == std::errc::invalid_argument) return std::nullopt;
-  if (error == std::errc::result_out_of_range) number = std::strtod(begin, nullptr);
-  return number;
-}
-
-std::string_view next_line(std::string_view& text) {
-  const auto end = text.find_first_of("\n\r");
-  const std::string_view line = text.substr(0, end);
-  if (end == std::string_view::npos) {
-    text = {};
-  } else {
-    const bool crlf = text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n';
-    text.remove_prefix(end + (crlf ? 2 : 1));
-  }
-  return line;
 }
 
 /// The numbers of one line; nothing where the line is no row of numbers.

@@ -47,6 +47,18 @@ TEST_F(ImageFileTest, Rgb8KeepsMultiplesOfItsStep) {
   EXPECT_THROW(encode_png_rgb8({}), OutputError);
 }
 
+TEST_F(ImageFileTest, Rgb16IsRoundedAndTaggedSrgb) {
+  Image<std::array<float, 3>> image(2, 1);
+  image(0, 0) = {0.3f, 0.3f, 0.3f};
+  image(1, 0) = {7, -7, std::numeric_limits<float>::quiet_NaN()};
+  const std::string file = text_of(encode_png_rgb16(image));
+  // 0.3 * 65535 = 19660.5, to the nearest of 1/65535.
+  expect_near(values_from(file), {0.3f, 0.2126f}, 0.51f / 65535);
+  EXPECT_TRUE(contains(file, "sRGB"));
+  EXPECT_EQ(file, text_of(encode_png_rgb16(image)));
+  EXPECT_THROW(encode_png_rgb16({}), OutputError);
+}
+
 TEST_F(ImageFileTest, Rgb8DitherKeepsTheMeanAndLimitsTheRest) {
   const float between = 100.25f / 255;
   Image<std::array<float, 3>> image(8, 8, {between, between, between});

@@ -92,6 +92,10 @@ Bytes encoded_png_rgb8(int width, int height, std::span<const uint8_t> samples) 
   return encoded_png({width, height, 3, 8, true, samples.data()});
 }
 
+Bytes encoded_png_rgb16(int width, int height, std::span<const uint16_t> samples) {
+  return encoded_png({width, height, 3, 16, true, samples.data()});
+}
+
 Bytes encoded_png_gray16(int width, int height, std::span<const uint16_t> samples) {
   return encoded_png({width, height, 1, 16, false, samples.data()});
 }

@@ -37,6 +37,9 @@ Pixels decoded(const Format& format, const Header& header, Bytes& bytes);
 /// A PNG file of `width` x `height` x 3 samples, tagged sRGB. Throws `OutputError`.
 Bytes encoded_png_rgb8(int width, int height, std::span<const std::uint8_t> samples);
 
+/// The same of 16 bits.
+Bytes encoded_png_rgb16(int width, int height, std::span<const std::uint16_t> samples);
+
 /// A PNG file of `width` x `height` samples. Throws `OutputError`.
 Bytes encoded_png_gray16(int width, int height, std::span<const std::uint16_t> samples);
 

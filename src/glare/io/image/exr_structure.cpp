@@ -42,7 +42,7 @@ void require_exr_channels(Reader content, ExrPart& part) {
   while (!content.text_z().empty()) {
     const uint32_t type = content.u32();
     require(type <= 2, "has a channel of an unknown type");
-    require(type != 0, "has a channel of whole numbers (identities, not transmittances)");
+    require(type != 0, "has a channel of whole numbers (identities, not light)");
     content.skip(4);
     require(content.i32() == 1 && content.i32() == 1, "has subsampled channels");
     part.pixel_bytes += type == 1 ? 2 : 4;
@@ -159,13 +159,14 @@ Header exr_header_of(const ExrPart& part, uint64_t file_bytes) {
       tiled ? divided_up(width, part.tile_width) * divided_up(height, part.tile_height)
             : divided_up(height, rows);
   Header header{width, height, part.channels};
+  header.linear_light = true;
   // Each piece has an entry of 8 bytes in a table, and 8 bytes before its data.
   header.least_bytes = std::max(chunks * 16, width * height * part.pixel_bytes / ratio);
   const uint64_t piece = tiled ? part.tile_width * part.tile_height : width * rows;
   require(header.least_bytes <= file_bytes && part.chunk_count <= file_bytes / 16,
           "the file is cut short");
-  header.decoder_bytes = (width * height + 4 * piece) * part.pixel_bytes +
-                         part.display_window.width() * part.display_window.height() * 4;
+  header.decoder_bytes = (width * height + 4 * piece) * part.pixel_bytes;
+  header.whole_pixels = part.display_window.width() * part.display_window.height();
   return header;
 }
 

@@ -51,7 +51,9 @@ Header checked_hdr(Bytes& bytes) {
                    std::to_string(width) + "\n");
   append(kept, reader.take(reader.left()));
   bytes = std::move(kept);
-  return {width, height, 3, row_bytes * height, width * 64};
+  Header header{width, height, 3, row_bytes * height, width * 64};
+  header.linear_light = true;
+  return header;
 }
 
 }  // namespace glare::image_io

@@ -28,15 +28,18 @@ struct Header {
   std::uint64_t channels = 0;       ///< At most so many are returned.
   std::uint64_t least_bytes = 0;    ///< No file of this kind with that many pixels is smaller.
   std::uint64_t decoder_bytes = 0;  ///< Memory that the decoder may need for itself.
+  std::uint64_t whole_pixels = 0;   ///< Of the whole picture, where that isn't what is stored.
   bool zero_is_white = false;       ///< The first channel is 1 minus what is stored.
+  bool linear_light = false;        ///< Floats, which are not encoded for a display.
 };
 
 /// Requires sides from 1 to `kMaxSide`: products of two of them and a small factor fit 64 bits.
 void require_sides(std::uint64_t width, std::uint64_t height);
 
 /// Requires that a file of `file_bytes` can hold the picture. Throws `MemoryError` where reading it
-/// would take more than `max_bytes`.
-void require_fits(const Header& header, std::uint64_t file_bytes, std::uint64_t max_bytes);
+/// would take more than `max_bytes`; `result_channels` floats a pixel are made of it in the end.
+void require_fits(const Header& header, std::uint64_t file_bytes, std::uint64_t max_bytes,
+                  std::uint64_t result_channels);
 
 /// The quotient, rounded up.
 constexpr std::uint64_t divided_up(std::uint64_t value, std::uint64_t by) {

@@ -150,6 +150,7 @@ Header checked_pnm(Bytes& bytes) {
   Header header{width, height, kind == '3' || kind == '6' || kind == 'F' ? 3u : 1u};
   header.least_bytes = least_pnm_bytes(kind, width, height, header.channels, maximum);
   header.decoder_bytes = width * height * header.channels * 12;
+  header.linear_light = real;
   require(reader.left() >= header.least_bytes, "the file is cut short");
   bytes = rewritten_pnm(reader, kind, header, scale, maximum);
   return header;

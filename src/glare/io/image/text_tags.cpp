@@ -37,17 +37,32 @@ std::optional<double> png_number(const Bytes& file, const std::string& name) {
   return std::nullopt;
 }
 
-std::optional<double> exr_number(const Bytes& file, const std::string& name) {
+/// The content of the first header's attribute of that name and type.
+std::optional<Reader> exr_attribute(const Bytes& file, const std::string& name,
+                                    const std::string& type) {
+  if (!starts_with(file, kExrMagic)) return std::nullopt;
   Reader reader(file);
   reader.skip(8);
-  for (std::string attribute = reader.text_z(); !attribute.empty(); attribute = reader.text_z()) {
-    const std::string type = reader.text_z();
-    const std::uint32_t size = reader.u32();
-    if (attribute == name && type == "float" && size == sizeof(float))
-      return std::bit_cast<float>(reader.u32());
-    reader.skip(size);
+  for (std::string found = reader.text_z(); !found.empty(); found = reader.text_z()) {
+    const std::string found_type = reader.text_z();
+    const auto content = reader.take(reader.u32());
+    if (found == name && found_type == type) return Reader(content);
   }
   return std::nullopt;
+}
+
+/// The same of a damaged file: nothing.
+std::optional<Reader> exr_attribute_if_any(const Bytes& file, const std::string& name,
+                                           const std::string& type) try {
+  return exr_attribute(file, name, type);
+} catch (const BadImage&) {
+  return std::nullopt;
+}
+
+std::optional<double> exr_number(const Bytes& file, const std::string& name) {
+  auto content = exr_attribute(file, name, "float");
+  if (!content || content->left() != sizeof(float)) return std::nullopt;
+  return std::bit_cast<float>(content->u32());
 }
 
 }  // namespace
@@ -59,6 +74,20 @@ std::optional<double> positive_tag(const Bytes& file, const std::string& name) t
   return number && std::isfinite(*number) && *number > 0 ? number : std::nullopt;
 } catch (const BadImage&) {
   return std::nullopt;
+}
+
+std::optional<std::string> exr_text(const Bytes& file, const std::string& name) {
+  auto content = exr_attribute_if_any(file, name, "string");
+  if (!content) return std::nullopt;
+  return std::string(text_of(content->take(content->left())));
+}
+
+std::optional<std::array<float, 8>> exr_chromaticities(const Bytes& file) {
+  auto content = exr_attribute_if_any(file, "chromaticities", "chromaticities");
+  std::array<float, 8> numbers;
+  if (!content || content->left() != sizeof numbers) return std::nullopt;
+  for (float& number : numbers) number = std::bit_cast<float>(content->u32());
+  return numbers;
 }
 
 Bytes png_with_text(const Bytes& png, const std::string& name, const std::string& text) {

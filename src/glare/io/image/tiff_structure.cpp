@@ -133,6 +133,7 @@ Header checked_tiff(Bytes& bytes) {
   require(data_bytes >= raw_bytes / ratio, "has too little data for its size");
   Header header{width, height, tiff_channels(directory, samples, bits), raw_bytes / ratio, 0};
   header.decoder_bytes = 2 * raw_bytes + 4 * piece_bytes * samples;
+  header.linear_light = directory.number(kSampleFormat, 1) == 3;
   if (directory.number(kPhotometric, 1) == 3) directory.round_palette(bytes);
   if (directory.number(kPhotometric, 1) == 0) {
     // OpenImageIO turns some kinds of samples and leaves others.

@@ -280,9 +280,76 @@ ConfigSpace read_space(const std::string& config_path, const std::string& name) 
   });
 }
 
-ConfigOutcome find_space(const char* config, const char* name, ConfigSpace& space,
-                         Message& message) noexcept try {
-  space = read_space(config, name);
+// ---- Displays and views
+
+// The name as the config spells it. What there is otherwise is told.
+std::string listed_name(const std::string& kind, const std::string& wanted,
+                        const std::vector<std::string>& names, const std::string& owner) {
+  for (const std::string& name : names)
+    if (in_lower_case(name) == in_lower_case(wanted)) return name;
+  throw Refusal(ConfigOutcome::not_usable, "unknown " + kind + " '" + wanted + "': " + owner +
+                                               (names.empty() ? " has none" : " has ") +
+                                               joined(names));
+}
+
+std::string display_of(const OCIO::Config& config, const DisplayRequest& request) {
+  std::vector<std::string> names;
+  for (int i = 0; i < config.getNumDisplays(); ++i) names.push_back(config.getDisplay(i));
+  if (names.empty()) throw Refusal(ConfigOutcome::config_unusable, "it has no displays");
+  if (*request.display == 0) return config.getDefaultDisplay();
+  return listed_name("display", request.display, names, request.config);
+}
+
+std::string view_of(const OCIO::Config& config, const std::string& display,
+                    const DisplayRequest& request) {
+  std::vector<std::string> names;
+  for (int i = 0; i < config.getNumViews(display.c_str()); ++i)
+    names.push_back(config.getView(display.c_str(), i));
+  if (*request.view == 0 && !names.empty()) return config.getDefaultView(display.c_str());
+  return listed_name("view", request.view, names, "display '" + display + "' of " + request.config);
+}
+
+OCIO::MatrixTransformRcPtr matrix_transform(const double (&matrix)[3][3]) {
+  double m44[16] = {};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) m44[4 * row + column] = matrix[row][column];
+  m44[15] = 1;
+  const auto transform = OCIO::MatrixTransform::Create();
+  transform->setMatrix(m44);
+  return transform;
+}
+
+OCIO::ConstCPUProcessorRcPtr display_processor(const OCIO::Config& config,
+                                               const DisplayRequest& request) {
+  const std::string display = display_of(config, request);
+  const std::string view = view_of(config, display, request);
+  const InterchangeRole role = interchange_role(config);
+  const auto shown = OCIO::DisplayViewTransform::Create();
+  shown->setSrc(name_of(role));
+  shown->setDisplay(display.c_str());
+  shown->setView(view.c_str());
+  const auto all = OCIO::GroupTransform::Create();
+  all->appendTransform(matrix_transform(request.role_from_rgb[static_cast<int>(role)]));
+  all->appendTransform(shown);
+  return with_refusals("its view '" + view + "' of display '" + display + "' can't be used",
+                       [&] { return config.getProcessor(all)->getDefaultCPUProcessor(); });
+}
+
+void show_picture(const DisplayRequest& request) {
+  const QuietOpenColorIO quiet;
+  const OCIO::ConstConfigRcPtr config = read_config(request.config);
+  const auto processor =
+      with_refusals("it can't show a picture", [&] { return display_processor(*config, request); });
+  OCIO::PackedImageDesc pixels(request.rgb, request.width, request.height, 3);
+  processor->apply(pixels);
+}
+
+// ---- For the library
+
+// What `work` comes to, with nothing thrown.
+template <typename Work>
+ConfigOutcome outcome_of(const Work& work, Message& message) noexcept try {
+  work();
   return ConfigOutcome::found;
 } catch (const Refusal& refusal) {
   message.set(refusal.what());
@@ -294,9 +361,18 @@ ConfigOutcome find_space(const char* config, const char* name, ConfigSpace& spac
   return ConfigOutcome::config_unusable;
 }
 
+ConfigOutcome find_space(const char* config, const char* name, ConfigSpace& space,
+                         Message& message) noexcept {
+  return outcome_of([&] { space = read_space(config, name); }, message);
+}
+
+ConfigOutcome show(const DisplayRequest& request, Message& message) noexcept {
+  return outcome_of([&] { show_picture(request); }, message);
+}
+
 }  // namespace
 
 }  // namespace glare::module
 
-const glare::module::ColorConfigReader glare_color_config = {GLARE_VERSION,
-                                                             glare::module::find_space};
+const glare::module::ColorConfigReader glare_color_config = {
+    GLARE_VERSION, glare::module::find_space, glare::module::show};

@@ -9,7 +9,7 @@ namespace glare::module {
 enum class ConfigOutcome : int {
   found,
   no_such_space,    ///< The message lists the config's spaces most like it, perhaps none.
-  not_usable,       ///< The space isn't scene-linear.
+  not_usable,       ///< The space isn't scene-linear, or there is no such display or view.
   config_unusable,  ///< The config or a file it names can't be read, or lacks the roles.
   no_memory
 };
@@ -24,11 +24,23 @@ struct ConfigSpace {
   double space_from_role[3][3];  ///< `[row][column]`, applied to a column of the role's values.
 };
 
+/// A picture to be shown as a display and a view of the config would show it.
+struct DisplayRequest {
+  const char* config;
+  const char* display;  ///< Empty: the config's default. So is the view, of that display.
+  const char* view;
+  double role_from_rgb[2][3]
+                      [3];  ///< From the picture's colours to each role's, `[role][row][column]`.
+  float* rgb;               ///< R, G, B of each pixel, row by row; changed in place.
+  int width, height;
+};
+
 /// `message` says what is wrong, without the config's name in front, unless the space is found.
 struct ColorConfigReader {
   const char* glare_version;  ///< First in every version, to be compared before anything is called.
   ConfigOutcome (*find_space)(const char* config, const char* name, ConfigSpace& space,
                               Message& message) noexcept;
+  ConfigOutcome (*show)(const DisplayRequest& request, Message& message) noexcept;
 };
 
 }  // namespace glare::module

@@ -4,7 +4,6 @@
 #include <OpenEXR/ImfChromaticitiesAttribute.h>
 #include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfIntAttribute.h>
-#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfVecAttribute.h>
 
@@ -14,6 +13,7 @@
 
 #include "glare/base/error.h"
 #include "glare/base/units.h"
+#include "glare/io/openexr/rgb_pixels.h"
 
 namespace glare::openexr_io {
 
@@ -25,13 +25,6 @@ constexpr const char* kCieScatter = "cie146";
 // To the file.
 
 Imath::V2f vector_of(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
-
-Imf::Chromaticities chromaticities_of(const RgbColorSpace& space) {
-  const auto primaries = space.primaries();
-  const Chromaticity white = chromaticity(space.white_xyz());
-  return {vector_of(primaries[0].x, primaries[0].y), vector_of(primaries[1].x, primaries[1].y),
-          vector_of(primaries[2].x, primaries[2].y), vector_of(white.x, white.y)};
-}
 
 void insert_float(Imf::Header& header, const char* name, double value) {
   header.insert(name, Imf::FloatAttribute(static_cast<float>(value)));
@@ -191,17 +184,8 @@ void require_channels_and_center(const AttributeReader& reader, const GlareTempl
 
 }  // namespace
 
-std::array<const char*, 3> channel_names(const RgbColorSpace& space) {
-  if (space.is_xyz()) return {"X", "Y", "Z"};
-  return {"R", "G", "B"};
-}
-
-Imf::Header header_of(const GlareTemplate& t, Imf::PixelType pixel_type) {
-  Imf::Header header(t.width(), t.height());
-  header.compression() = Imf::ZIP_COMPRESSION;
-  for (const char* name : channel_names(t.color_space))
-    header.channels().insert(name, Imf::Channel(pixel_type));
-  if (!t.color_space.is_xyz()) Imf::addChromaticities(header, chromaticities_of(t.color_space));
+Imf::Header header_of(const GlareTemplate& t, bool half) {
+  Imf::Header header = rgb_header(t.width(), t.height(), t.color_space, half);
   insert_attributes(header, t);
   return header;
 }

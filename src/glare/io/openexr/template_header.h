@@ -2,20 +2,15 @@
 #pragma once
 
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfPixelType.h>
 
-#include <array>
 #include <string>
 
 #include "glare/template/glare_template.h"
 
 namespace glare::openexr_io {
 
-/// The names of a template's channels: R, G, B or X, Y, Z.
-std::array<const char*, 3> channel_names(const RgbColorSpace& space);
-
 /// The header of the template's file, complete.
-Imf::Header header_of(const GlareTemplate& glare_template, Imf::PixelType pixel_type);
+Imf::Header header_of(const GlareTemplate& glare_template, bool half);
 
 /// What the header says, all but the pixels: those are 0. Throws `InputError` with the place where
 /// an attribute or a channel is missing or not as it should be.
