@@ -49,3 +49,7 @@ endforeach()
 
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
+
+# The beams of data/photometry, for `glare photometry` and `glare headlamp`.
+install(DIRECTORY data/photometry DESTINATION ${CMAKE_INSTALL_DATADIR}/glare
+        FILES_MATCHING PATTERN "*.ies" PATTERN "README.md")
