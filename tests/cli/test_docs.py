@@ -5,6 +5,7 @@ import unittest
 
 from cli import GlareTest
 
+GROUPS = ("aperture", "photometry")  # Of commands of two words.
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -20,13 +21,15 @@ class Docs(GlareTest):
             for link in links:
                 self.assertTrue((page.parent / link).exists(), f"{page.name}: {link}")
 
-    def test_commands_of_the_readme_are_understood(self):
-        text = (ROOT / "README.md").read_text(encoding="utf-8")
-        commands = re.findall(r"^(glare [a-z].*?)(?:\s+#.*)?$", text, re.MULTILINE)
+    def test_commands_are_understood(self):
+        pages = ("README.md", "docs/photometry.md", "docs/headlamps.md")
+        commands = [command for page in pages for command in
+                    re.findall(r"^(glare [a-z].*?)(?:\s+#.*)?$",
+                               (ROOT / page).read_text(encoding="utf-8"), re.MULTILINE)]
         self.assertGreater(len(commands), 3)
         for command in commands:
             for option in re.findall(r"--[a-z-]+", command):
-                words = command.split()[1:3 if "glare aperture" in command else 2]
+                words = command.split()[1:3 if command.split()[1] in GROUPS else 2]
                 shown = self.glare(*words, "--help").out
                 self.assertIn(option, shown, command)
 

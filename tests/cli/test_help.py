@@ -18,7 +18,7 @@ class Help(GlareTest):
     def test_program(self):
         for option in ("--help", "-h"):
             text = self.text(option)
-            for word in ("template", "info", "lamps", "--version"):
+            for word in ("template", "info", "lamps", "tonemap", "--version"):
                 self.assertIn(word, text)
 
     def test_template_tells_every_option(self):

@@ -15,9 +15,14 @@ using Command = std::function<void()>;
 Command add_template_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_lamps_command(CLI::App& program);
+Command add_headlamp_command(CLI::App& program);
+Command add_tonemap_command(CLI::App& program);
 Command add_aperture_command(CLI::App& program);
 Command add_aperture_eye_command(CLI::App& aperture);
 Command add_aperture_diaphragm_command(CLI::App& aperture);
 Command add_aperture_photo_command(CLI::App& aperture);
+Command add_photometry_command(CLI::App& program);
+Command add_photometry_info_command(CLI::App& photometry);
+Command add_photometry_convert_command(CLI::App& photometry);
 
 }  // namespace glare::tool

@@ -16,6 +16,12 @@ inline std::filesystem::path canonical(const std::string& file) {
   return error ? std::filesystem::path(file) : path;
 }
 
+/// Whether two names lead to one file.
+inline bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return canonical(a) == canonical(b) || std::filesystem::equivalent(a, b, error);
+}
+
 inline std::string in_small_letters(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
