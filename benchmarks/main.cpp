@@ -84,6 +84,8 @@ int run(const Options& options) {
   const glare::bench::Scale scaled{options.shrink};
   glare::bench::add_spectral_rows(rows, scaled);
   glare::bench::add_template_rows(rows, scaled);
+  glare::bench::add_scene_rows(rows, scaled);
+  glare::bench::add_picture_rows(rows, scaled);
   glare::bench::add_program_rows(rows);
   glare::bench::add_accuracy_rows(rows, scaled);
 

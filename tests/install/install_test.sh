@@ -19,6 +19,7 @@ fail() { printf 'install_test: %s: %s\n' "$step" "$*" >&2; exit 1; }
 installed_files() {
   (cd "$prefix" && find . ! -type d) | sed -e 's|^\./||' -e "/^${doc_dir//\//\\/}\//d" \
     -e "s|^$lib_dir/|@LIB@/|" -e "s|^$include_dir/|@INCLUDE@/|" -e "s|^$bin_dir/|@BIN@/|" \
+    -e "s|^$data_dir/|@DATA@/|" \
     -e "s|^@LIB@/glare-$abi_version/|@LIB@/glare-@ABI@/|" \
     -e "s|\.so\.${version//./\\.}$|.so.@VERSION@|" -e "s|\.so\.${abi_version//./\\.}$|.so.@ABI@|" \
     -e "s|-targets-${build_type,,}\.cmake$|-targets-@TYPE@.cmake|" | sort
@@ -110,6 +111,15 @@ case $step in
     if cmp -s "$out/template.exr" "$out/template_a.exr"; then fail "two lamps, one template"; fi
     "$out/night_scene" "$out/scene.png" "$out/aperture.png" 64
     [ "$(head -c 4 "$out/scene.png" | tail -c 3)" = PNG ] || fail "night_scene made no PNG"
+    "$out/render_car" "$out/car.exr" --size 32x24 --samples 1 --outline "$out/outline.exr" |
+      grep -q '^position_m = \[0, -1.2, 25\]$' || fail "render_car doesn't tell the car's place"
+    [ "$("$out/spill" "$out/outline.exr" "$out/car.exr" 0 "$out/car.exr")" = 0.0000 ] ||
+      fail "a car without light has glare"
+    "$out/contact_sheet" "$out/sheet.png" 2 2 "$out/car.exr" "$out/outline.exr"
+    [ "$(head -c 4 "$out/sheet.png" | tail -c 3)" = PNG ] || fail "contact_sheet made no PNG"
+    # Fails unless low beams' glare stays within the car's outline where high beams' doesn't.
+    GLARE_PREFIX=$prefix GLARE_EXAMPLES=$out GLARE_FIGURE_WIDTH=120 \
+      "$source_dir/examples/headlamp/figure8.sh" "$out/figure8" "$build_dir"
     ;;
   core_only)
     built_with_package core_only "$source_dir/tests/install/core_only" \
