@@ -99,6 +99,8 @@ class BadScenes(HeadlampTest):
                                     (("-o", "a.png", "--angles", "0:3:1"), ["{frame}"]),
                                     (("--report", "a.csv", "--report-angles", "0"),
                                      ["--report-angles"]),
+                                    (("--report", "a.csv", "--report-angles", "1,2,1"),
+                                     ["--report-angles", "twice"]),
                                     (("-o", "a.png", "--mode", "art"), ["--mode"])):
             self.assert_refused(2, mentions, "headlamp", "s.toml", *arguments)
         self.assert_refused(4, ["nofolder"], "headlamp", "s.toml", "-o", "nofolder/a.png")

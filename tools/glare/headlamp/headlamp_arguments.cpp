@@ -1,6 +1,7 @@
 #include "headlamp/headlamp_arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <set>
 
 #include "common_options.h"
 #include "file_names.h"
@@ -91,6 +92,9 @@ void require_consistent(const HeadlampArguments& a) {
   for (const double angle : a.report_angles_deg)
     if (!(angle > 0 && angle <= 90))
       throw OptionError("--report-angles: expected numbers above 0 and up to 90");
+  const std::set<double> different(a.report_angles_deg.begin(), a.report_angles_deg.end());
+  if (different.size() != a.report_angles_deg.size())
+    throw OptionError("--report-angles: an angle is given twice");
 }
 
 }  // namespace glare::tool

@@ -75,7 +75,7 @@ SceneViewer viewer_of(const TomlTable& table) {
   if (table.has("path_m")) viewer.path_m.clear();
   for (const auto& point : table.points("path_m", kMetres))
     viewer.path_m.push_back(vector_of(point));
-  viewer.frames = table.whole_number("frames", {1, kMostSceneFrames}).value_or(1);
+  viewer.frames = table.whole_number("frames", {2, kMostSceneFrames}).value_or(1);
   if (table.has("frames") && viewer.path_m.size() < 2)
     refuse(table, "frames", "frames goes with path_m of two points or more");
   if (viewer.path_m.size() > 1 && viewer.frames < 2)
