@@ -9,6 +9,7 @@
 #include "glare/io/lamp_file.h"
 #include "glare/io/memory.h"
 #include "glare/io/photometry_file.h"
+#include "glare/io/picture_document.h"
 #include "glare/io/picture_file.h"
 #include "glare/io/sha256.h"
 #include "glare/io/template_file.h"

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,16 @@ struct PictureFileOptions {
 /// where half can't hold the values.
 void write_picture(const std::filesystem::path& path, const Picture& picture,
                    const PictureFileOptions& options = {});
+
+/// A colour layer of a picture file.
+struct PictureLayer {
+  std::string name;  ///< Channels NAME.R, NAME.G, NAME.B; empty: R, G, B.
+  const Picture* picture = nullptr;
+};
+
+/// The same with several layers, each of its own name, of one size and one colour space. Throws
+/// `OptionError` where they aren't.
+void write_picture_layers(const std::filesystem::path& path, std::span<const PictureLayer> layers,
+                          const PictureFileOptions& options = {});
 
 }  // namespace glare

@@ -1,0 +1,45 @@
+// The glare of few bright points, each at its place between pixels.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "glare/convolution/glare_filter.h"
+#include "glare/convolution/pixel_kernel.h"
+#include "glare/picture/picture.h"
+#include "glare/template/glare_template.h"
+
+namespace glare {
+
+/// A point of light in a picture.
+struct PointSource {
+  double x_px = 0, y_px = 0;     ///< A whole number is a pixel's centre.
+  std::array<float, 3> light{};  ///< In the picture's channels: value times pixels.
+};
+
+/// The brightest pixels of a picture, as points at their centres: as few as hold `share` (0 to 1)
+/// of its light in each channel, in the order of rows; none where that takes more than `most`.
+std::optional<std::vector<PointSource>> bright_points(const Picture& light, double share, int most);
+
+struct PointGlareOptions {
+  PixelKernelOptions kernel;
+  double strength = 1;  ///< As in `ApplyGlareOptions`.
+  /// False: the picture shows the points already, so that what is spread of their light is taken
+  /// from where they are (from the four pixels around, by bilinear weights), as `apply_glare` does.
+  /// True: it doesn't, and all their light is added.
+  bool points_are_new = false;
+  int threads = 0;
+  ProgressCallback progress;
+};
+
+/// Adds the points' glare to a picture: each one's kernel, at its place between the pixels, by the
+/// template's means over the pixels as they lie about it. For points at pixels' centres that is
+/// what `apply_glare` makes of a picture of these points alone. Throws as `pixel_kernel` does, and
+/// `OptionError` for a point that isn't finite.
+void add_point_glare(Picture& picture, std::span<const PointSource> points,
+                     const GlareTemplate& glare_template, const PixelScale& scale,
+                     const PointGlareOptions& options = {});
+
+}  // namespace glare
