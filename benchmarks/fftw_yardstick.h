@@ -1,4 +1,4 @@
-// The transform that the spectral stage is compared with.
+// The transforms that the spectral stage and the convolution are compared with.
 #pragma once
 
 #include <memory>
@@ -17,6 +17,20 @@ class FftwYardstick {
  private:
   struct Plan;
   std::unique_ptr<Plan> plan_;
+};
+
+/// FFTW's own two-dimensional transforms of columns x rows floats to complex numbers and back, on
+/// so many threads, planned by estimate, as the library's are by default.
+class FftwThereAndBack {
+ public:
+  FftwThereAndBack(int columns, int rows, int threads);
+  ~FftwThereAndBack();
+
+  void run();
+
+ private:
+  struct Plans;
+  std::unique_ptr<Plans> plans_;
 };
 
 }  // namespace glare::bench

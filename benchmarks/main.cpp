@@ -86,6 +86,7 @@ int run(const Options& options) {
   glare::bench::add_template_rows(rows, scaled);
   glare::bench::add_scene_rows(rows, scaled);
   glare::bench::add_picture_rows(rows, scaled);
+  glare::bench::add_convolution_rows(rows, scaled);
   glare::bench::add_program_rows(rows);
   glare::bench::add_accuracy_rows(rows, scaled);
 

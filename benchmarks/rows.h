@@ -92,6 +92,7 @@ void add_spectral_rows(Rows& rows, Scale scaled);
 void add_template_rows(Rows& rows, Scale scaled);
 void add_scene_rows(Rows& rows, Scale scaled);
 void add_picture_rows(Rows& rows, Scale scaled);
+void add_convolution_rows(Rows& rows, Scale scaled);
 void add_program_rows(Rows& rows);
 void add_accuracy_rows(Rows& rows, Scale scaled);
 

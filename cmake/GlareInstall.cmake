@@ -1,12 +1,12 @@
 # `cmake --install`: the libraries and their headers, glare_io's modules, the program, a package for
-# find_package(glare CONFIG) with the components core and io, and one for pkg-config. Nothing in it
+# find_package(glare CONFIG) with the components core, io and c, and one for pkg-config. Nothing in it
 # holds the prefix: the installed tree can be moved.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glare)
 set(package_build_dir ${PROJECT_BINARY_DIR}/package)
 
 # One export a component, so that core can be used where io's libraries are missing.
-foreach(component core io)
+foreach(component core io c)
   install(TARGETS glare_${component} EXPORT glare-${component}-targets
           RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -36,13 +36,17 @@ install(FILES ${package_build_dir}/glareConfig.cmake ${package_build_dir}/glareC
 if(BUILD_SHARED_LIBS)
   set(pc_core_requires "")
   set(pc_io_requires "")
+  set(pc_c_requires "Requires.private")
+  set(pc_c_libs "")
 else()
   set(pc_core_requires "fftw3f tbb libhwy")
-  set(pc_io_requires "OpenImageIO OpenEXR Imath OpenColorIO libcrypto")
+  set(pc_io_requires "OpenImageIO OpenEXR Imath OpenColorIO libcrypto zlib")
+  set(pc_c_requires "Requires")
+  set(pc_c_libs " -lstdc++")
 endif()
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 string(REGEX REPLACE "/$" "" pc_prefix "${pc_prefix}")
-foreach(name glare-core glare)
+foreach(name glare-core glare glare-c)
   configure_file(cmake/${name}.pc.in ${package_build_dir}/${name}.pc @ONLY)
   install(FILES ${package_build_dir}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()

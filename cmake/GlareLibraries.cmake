@@ -31,6 +31,7 @@ function(glare_find_libraries out_missing)
     # OpenColorIO's CMake config on Debian names an include folder that isn't there.
     pkg_check_modules(OCIO QUIET IMPORTED_TARGET OpenColorIO)
     pkg_check_modules(CRYPTO QUIET IMPORTED_TARGET libcrypto)
+    find_package(ZLIB QUIET)
     find_package(OpenImageIO CONFIG QUIET)
     glare_drop_missing_include_folders(OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util)
     find_package(OpenCVParts MODULE QUIET)
@@ -38,6 +39,7 @@ function(glare_find_libraries out_missing)
                     "OpenEXR::OpenEXR|OpenEXR 3 (libopenexr-dev)"
                     "PkgConfig::OCIO|OpenColorIO 2 (libopencolorio-dev)"
                     "PkgConfig::CRYPTO|OpenSSL's libcrypto (libssl-dev)"
+                    "ZLIB::ZLIB|zlib (zlib1g-dev)"
                     "OpenImageIO::OpenImageIO|OpenImageIO 2.4 (libopenimageio-dev, openimageio-tools)"
                     "OpenCVParts::OpenCVParts|OpenCV 4: core, imgproc, photo (libopencv-core-dev, libopencv-imgproc-dev, libopencv-photo-dev)")
       glare_note_missing(missing "${library}")

@@ -19,8 +19,10 @@ struct PointSource {
   std::array<float, 3> light{};  ///< In the picture's channels: value times pixels.
 };
 
-/// The brightest pixels of a picture, as points at their centres: as few as hold `share` (0 to 1)
-/// of its light in each channel, in the order of rows; none where that takes more than `most`.
+/// The brightest pixels of a picture, as points at their centres, in the order of rows: as many of
+/// them as hold `share` (0 to 1, else `OptionError`) of its light in each channel; none where that
+/// takes more than `most`. A pixel is as bright as the sum of its shares of the channels' light;
+/// channels that aren't finite or below 0 have none.
 std::optional<std::vector<PointSource>> bright_points(const Picture& light, double share, int most);
 
 struct PointGlareOptions {
@@ -36,8 +38,11 @@ struct PointGlareOptions {
 
 /// Adds the points' glare to a picture: each one's kernel, at its place between the pixels, by the
 /// template's means over the pixels as they lie about it. For points at pixels' centres that is
-/// what `apply_glare` makes of a picture of these points alone. Throws as `pixel_kernel` does, and
-/// `OptionError` for a point that isn't finite.
+/// what `apply_glare` makes of a picture of these points alone. Points may lie beyond the border.
+/// Each place between pixels takes a kernel of its own, so that many points are quick only where
+/// they lie alike. The options' shift is added to each place. The same bytes for any number of
+/// threads. Throws as `pixel_kernel` does, `OptionError` for a point that isn't finite,
+/// `Cancelled`; the picture is then as it was.
 void add_point_glare(Picture& picture, std::span<const PointSource> points,
                      const GlareTemplate& glare_template, const PixelScale& scale,
                      const PointGlareOptions& options = {});

@@ -38,7 +38,8 @@ struct PictureWriting {
 class PictureDocument {
  public:
   /// Throws `InputError`, with what was found and what was expected: deep pixels, subsampled colour
-  /// channels, an empty data window, no such part or layer, a damaged file. `MemoryError`.
+  /// channels, an empty data window, no such part or layer, a damaged file. `MemoryError`. Pictures
+  /// of other formats are read too (see `read_picture`), with a warning where they aren't linear.
   static PictureDocument read(const std::filesystem::path& path,
                               const PictureDocumentOptions& options = {});
 
@@ -47,9 +48,14 @@ class PictureDocument {
   /// channels.
   const Picture& picture() const;
   bool is_gray() const;
+  /// Of the whole picture (the display window), which a field of view goes across: the data may be
+  /// a part of it or reach beyond it.
+  int display_width() const;
   double pixel_aspect() const;
   std::optional<ToldPixelPitch> pixel_pitch() const;
   const std::vector<std::string>& warnings() const;
+  /// What a file of this path's type can't hold of this one; one line each, without a name.
+  std::vector<std::string> losses(const std::filesystem::path& path) const;
 
   /// Writes the file again with these pixels, of the same size, in the place of its own (of a grey
   /// picture their first channel); all or nothing. The type is the path's: .exr or .hdr, else
@@ -59,8 +65,9 @@ class PictureDocument {
   std::uint64_t write(const std::filesystem::path& path, const Picture& changed,
                       const PictureWriting& options = {}) const;
 
+  struct Content;  ///< Internal.
+
  private:
-  struct Content;
   std::shared_ptr<const Content> content_;
 };
 

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "glare/base/error.h"
 #include "glare/color/srgb.h"
-#include "glare/io/built_in_color_spaces.h"
+#include "glare/io/file_color_space.h"
 #include "glare/io/image/channel_roles.h"
 #include "glare/io/image/loading.h"
 #include "glare/io/image/text_tags.h"
@@ -26,42 +28,13 @@ namespace {
 
 constexpr const char* kColorSpaceAttribute = "glare:colorSpace";
 
-// Colour spaces.
-
-/// Red, green, blue and white.
-using Chromaticities = std::array<Chromaticity, 4>;
-
-Chromaticities chromaticities_of(const RgbColorSpace& space) {
-  const auto [red, green, blue] = space.primaries();
-  return {red, green, blue, chromaticity(space.white_xyz())};
-}
-
-bool are_the_same(const Chromaticities& a, const Chromaticities& b) {
-  // Files have five decimals at most, or a float's digits.
-  constexpr double tolerance = 1e-5;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    if (!(std::abs(a[k].x - b[k].x) <= tolerance && std::abs(a[k].y - b[k].y) <= tolerance))
-      return false;
-  return true;
-}
-
-RgbColorSpace space_with(const Chromaticities& c, const std::string& name) try {
-  for (const RgbColorSpace& space : built_in_color_spaces())
-    if (!space.is_xyz() && (name.empty() || name == space.name()) &&
-        are_the_same(c, chromaticities_of(space)))
-      return space;
-  return {name.empty() ? "custom" : name, {c[0], c[1], c[2]}, xyz_from_chromaticity(c[3])};
-} catch (const InputError& error) {
-  throw BadImage("the attribute chromaticities: " + error.message());
-}
-
 /// What the file tells of its R, G and B.
 RgbColorSpace space_in(const Bytes& file) {
   const auto numbers = image_io::exr_chromaticities(file);
   if (!numbers) return lin_rec709_color_space();
-  Chromaticities c;
+  FileChromaticities c;
   for (std::size_t k = 0; k < c.size(); ++k) c[k] = {(*numbers)[2 * k], (*numbers)[2 * k + 1]};
-  return space_with(c, image_io::exr_text(file, kColorSpaceAttribute).value_or(""));
+  return color_space_with(c, image_io::exr_text(file, kColorSpaceAttribute).value_or(""));
 }
 
 // Pixels.
@@ -113,6 +86,38 @@ PictureFile picture_from(Bytes bytes, std::uint64_t max_bytes) {
   return file;
 }
 
+// Layers.
+
+void require_layer_name(const std::string& name) {
+  // OpenEXR's names have 255 characters at most, and the channel's own takes two.
+  if (name.size() > 253 || name.starts_with('.') || name.ends_with('.') ||
+      name.find("..") != std::string::npos || name.find('\0') != std::string::npos)
+    throw OptionError("\"" + name + "\" can't be a layer's name");
+}
+
+void require_writable_layers(const std::filesystem::path& path,
+                             std::span<const PictureLayer> layers,
+                             const PictureFileOptions& options) {
+  if (layers.empty() || layers[0].picture->channels[0].empty())
+    throw OutputError(path.string(), "the picture has no pixels");
+  const Picture& first = *layers[0].picture;
+  std::set<std::string> names;
+  for (const auto& [name, picture, alpha] : layers) {
+    require_layer_name(name);
+    if (!names.insert(name).second) throw OptionError("two layers have the name \"" + name + "\"");
+    if (picture->width() != first.width() || picture->height() != first.height() ||
+        (alpha && (alpha->width() != first.width() || alpha->height() != first.height())))
+      throw OptionError("the layers of a picture are of different sizes");
+    if (picture->color_space.rgb_from_xyz() != first.color_space.rgb_from_xyz())
+      throw OptionError("the layers of a picture are in different colour spaces");
+    if (options.half && !(openexr_io::fits_half(picture->channels) &&
+                          (!alpha || openexr_io::fits_half({*alpha, {}, {}}))))
+      throw OptionError(
+          "half precision holds values up to 65504 and this picture has larger ones; write 32-bit "
+          "floating point");
+  }
+}
+
 }  // namespace
 
 PictureFile read_picture(const std::filesystem::path& path, std::uint64_t max_bytes) {
@@ -121,19 +126,25 @@ PictureFile read_picture(const std::filesystem::path& path, std::uint64_t max_by
 
 void write_picture(const std::filesystem::path& path, const Picture& picture,
                    const PictureFileOptions& options) {
-  if (picture.channels[0].empty()) throw OutputError(path.string(), "the picture has no pixels");
-  if (options.half && !openexr_io::fits_half(picture.channels))
-    throw OptionError(
-        "half precision holds values up to 65504 and this picture has larger ones; write 32-bit "
-        "floating point");
-  Imf::Header header =
-      openexr_io::rgb_header(picture.width(), picture.height(), picture.color_space, options.half);
-  header.insert(kColorSpaceAttribute, Imf::StringAttribute(picture.color_space.name()));
+  const PictureLayer layer = {"", &picture, nullptr};
+  write_picture_layers(path, {&layer, 1}, options);
+}
+
+void write_picture_layers(const std::filesystem::path& path, std::span<const PictureLayer> layers,
+                          const PictureFileOptions& options) {
+  require_writable_layers(path, layers, options);
+  const Picture& first = *layers[0].picture;
+  std::vector<openexr_io::RgbLayer> stored;
+  for (const PictureLayer& layer : layers)
+    stored.push_back({layer.name, &layer.picture->channels, layer.alpha});
+  Imf::Header header = openexr_io::rgb_header(first.width(), first.height(), first.color_space,
+                                              options.half, stored);
+  header.insert(kColorSpaceAttribute, Imf::StringAttribute(first.color_space.name()));
   header.insert("glare:software", Imf::StringAttribute("glare " GLARE_VERSION));
   for (const auto& [name, text] : options.attributes)
     header.insert(name, Imf::StringAttribute(text));
-  openexr_io::write_rgb_file(path, header, picture.color_space, picture.channels,
-                             {options.half, options.threads, options.keep_going});
+  openexr_io::write_rgb_layers(path, header, first.color_space, stored,
+                               {options.half, options.threads, options.keep_going});
 }
 
 }  // namespace glare

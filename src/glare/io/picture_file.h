@@ -43,6 +43,7 @@ void write_picture(const std::filesystem::path& path, const Picture& picture,
 struct PictureLayer {
   std::string name;  ///< Channels NAME.R, NAME.G, NAME.B; empty: R, G, B.
   const Picture* picture = nullptr;
+  const Image<float>* alpha = nullptr;  ///< A channel A of the same size, if there is one.
 };
 
 /// The same with several layers, each of its own name, of one size and one colour space. Throws

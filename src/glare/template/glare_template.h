@@ -34,7 +34,10 @@ struct GlareTemplate {
   double per_steradian = 0;    ///< Multiply a luminance by this to have it per steradian.
   double captured_energy = 0;  ///< Share of all the light that falls on the pixels, 0 to 1.
 
-  Xyz lamp_xyz{};           ///< The lamp's colour at Y = 1 (before any adaptation of white).
+  Xyz lamp_xyz{};  ///< The lamp's colour at Y = 1 (before any adaptation of white).
+  /// The colour at Y = 1 of all the template's light, over all directions, as its pixels have it:
+  /// `lamp_xyz`, or the colour space's white, where white was adapted to the lamp.
+  Xyz light_xyz{};
   std::string lamp;         ///< Name or file name.
   std::string observer;     ///< Name.
   std::string aberrations;  ///< Of the eye; empty where there are none.

@@ -168,6 +168,8 @@ GlareTemplate labelled_template(const ApertureNumbers& aperture, const Spectrum&
   GlareTemplate result;
   result.lamp_xyz = xyz_from_spectrum(lamp, observer, range);
   result.color_space = options.color_space;
+  result.light_xyz =
+      options.white == WhiteAdaptation::none ? result.lamp_xyz : options.color_space.white_xyz();
   result.pixel_pitch_rad = pixel_grid(options).pitch_rad;
   result.normalization = options.normalization;
   result.lamp = lamp_name;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glare/base/range_check.h"
+#include "glare/template/grid_means.h"
 
 namespace glare {
 
@@ -58,8 +59,9 @@ Image<float> area_means(const Image<float>& picture, double pitch_ratio, int wid
   return result;
 }
 
-int covering_size(int old_pixels, double pitch_ratio) {
-  const double reach = (old_pixels / 2 + 0.5) / pitch_ratio;  // The longer side, in new pixels.
+int covering_size(int old_pixels, double pitch_ratio, double shift_px) {
+  // The longer side from the centre of the axis' pixel, in new pixels.
+  const double reach = (old_pixels / 2 + 0.5) / pitch_ratio + std::abs(shift_px);
   return 2 * static_cast<int>(std::ceil(reach - 0.5 - 1e-9)) + 1;
 }
 
@@ -70,15 +72,15 @@ GlareTemplate resampled(const GlareTemplate& t, double pitch_rad, int width, int
   require_in_range("a template's height in pixels", height, 1, 1 << 16);
   GlareTemplate result = t;
   double old_sum = 0, new_sum = 0;
+  const double ratio = pitch_rad / t.pixel_pitch_rad;
   const Vector3& weights = t.color_space.xyz_from_rgb()[1];
   for (std::size_t k = 0; k < 3; ++k) {
     for (const float value : t.channels[k].values()) old_sum += weights[k] * value;
-    result.channels[k] = area_means(t.channels[k], pitch_rad / t.pixel_pitch_rad, width, height);
+    result.channels[k] = grid_means(t.channels[k], {width, ratio}, {height, ratio});
     for (const float value : result.channels[k].values()) new_sum += weights[k] * value;
   }
   result.pixel_pitch_rad = pitch_rad;
-  const double area_ratio = pitch_rad / t.pixel_pitch_rad * pitch_rad / t.pixel_pitch_rad;
-  if (old_sum > 0) result.captured_energy = t.captured_energy * new_sum * area_ratio / old_sum;
+  if (old_sum > 0) result.captured_energy = t.captured_energy * new_sum * ratio * ratio / old_sum;
   result.normalization = Normalization::absolute;
   rescale(result, 1);
   return result;

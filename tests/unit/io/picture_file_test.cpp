@@ -9,9 +9,11 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "glare/base/error.h"
 #include "glare/io/color_config.h"
+#include "glare/io/picture_document.h"
 #include "glare/io/template_file.h"
 #include "support/image_bytes.h"
 #include "support/image_file_fixture.h"
@@ -98,6 +100,17 @@ TEST_F(PictureFileTest, AttributesAreWritten) {
   EXPECT_TRUE(found);
 }
 
+TEST_F(PictureFileTest, ALayerMayHaveAlpha) {
+  const Picture picture = sample(lin_rec709_color_space());
+  const Image<float> alpha = picture.channels[1], small(3, 3);
+  const PictureLayer layer = {"", &picture, &alpha}, wrong = {"", &picture, &small};
+  write_picture_layers(folder_ / "a.exr", {&layer, 1});
+  const PictureFile back = read_picture(folder_ / "a.exr", kMemory);
+  expect_same_pixels(back.picture, picture);
+  EXPECT_THAT(back.warnings, ElementsAre("the alpha channel is ignored"));
+  EXPECT_THROW(write_picture_layers(folder_ / "b.exr", {&wrong, 1}), OptionError);
+}
+
 TEST_F(PictureFileTest, HalfRoundsOrIsRefused) {
   PictureFileOptions half;
   half.half = true;
@@ -112,6 +125,58 @@ TEST_F(PictureFileTest, HalfRoundsOrIsRefused) {
     for (int x = 0; x < 19; ++x)  // Of 11 bits.
       EXPECT_NEAR(back.picture.channels[1](x, y), picture.channels[1](x, y),
                   1e-7 + std::abs(picture.channels[1](x, y)) / 2048);
+}
+
+TEST_F(PictureFileTest, LayersHaveChannelsOfTheirOwn) {
+  const Picture beauty = sample(lin_rec709_color_space());
+  Picture glare = beauty;
+  for (auto& channel : glare.channels)
+    for (float& value : channel.values()) value = 0.125f - value;
+  const std::vector<PictureLayer> layers = {{"", &beauty}, {"glare", &glare}};
+  write_picture_layers(folder_ / "a.exr", layers);
+  const auto layer = [&](const char* name) {
+    return PictureDocument::read(folder_ / "a.exr", {-1, name, kMemory}).picture();
+  };
+  expect_same_pixels(layer(""), beauty);
+  expect_same_pixels(layer("glare"), glare);
+  std::vector<std::string> channels;
+  for (const HeaderAttribute& a : read_header(folder_ / "a.exr"))
+    if (a.name.starts_with("channel ")) channels.push_back(a.name.substr(8));
+  EXPECT_THAT(channels, ElementsAre("B", "G", "R", "glare.B", "glare.G", "glare.R"));
+}
+
+TEST_F(PictureFileTest, LayersInHalf) {
+  const Picture one = [] {
+    Picture p = sample(lin_rec709_color_space());
+    for (auto& channel : p.channels)
+      for (float& value : channel.values()) value = std::round(std::min(value, 60.0f));
+    return p;
+  }();
+  Picture two = one;
+  two.channels[2](18, 10) = -2048;
+  PictureFileOptions half;
+  half.half = true;
+  write_picture_layers(folder_ / "a.exr", std::vector<PictureLayer>{{"x", &one}, {"y.z", &two}},
+                       half);
+  expect_same_pixels(PictureDocument::read(folder_ / "a.exr", {-1, "y.z", kMemory}).picture(), two);
+  expect_same_pixels(PictureDocument::read(folder_ / "a.exr", {-1, "x", kMemory}).picture(), one);
+}
+
+TEST_F(PictureFileTest, RefusesLayersThatDoNotGoTogether) {
+  const Picture one = sample(lin_rec709_color_space());
+  Picture larger = one, other = one;
+  larger.channels.fill(Image<float>(20, 11));
+  other.color_space = find_color_space("acescg");
+  const auto write = [&](const std::vector<PictureLayer>& layers) {
+    write_picture_layers(folder_ / "a.exr", layers);
+  };
+  EXPECT_THROW(write({{"", &one}, {"b", &larger}}), OptionError);
+  EXPECT_THROW(write({{"", &one}, {"b", &other}}), OptionError);
+  EXPECT_THROW(write({{"b", &one}, {"b", &one}}), OptionError);
+  for (const char* name : {".", "a.", ".a", "a..b"})
+    EXPECT_THROW(write({{name, &one}}), OptionError) << name;
+  EXPECT_THROW(write({}), OutputError);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.exr"));
 }
 
 TEST_F(PictureFileTest, RefusesToWriteNothingOrNowhere) {

@@ -49,6 +49,7 @@ GlareTemplate sample() {
   t.per_steradian = 3.21e5;
   t.captured_energy = 0.87;
   t.lamp_xyz = {1.09, 1, 0.35};
+  t.light_xyz = {0.95, 1, 1.1};
   t.lamp = "my lamp.csv";
   t.observer = "cie1964-10deg";
   t.wavelength_range_nm = {390.5, 781};
@@ -77,6 +78,7 @@ TEST(TemplateFile, EveryFieldComesBack) {
   EXPECT_NEAR(back.per_steradian / t.per_steradian, 1, kSinglePrecision);
   EXPECT_NEAR(back.captured_energy / t.captured_energy, 1, kSinglePrecision);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(back.lamp_xyz[k] / t.lamp_xyz[k], 1, kSinglePrecision);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(back.light_xyz[k] / t.light_xyz[k], 1, kSinglePrecision);
   EXPECT_EQ(back.lamp, t.lamp);
   EXPECT_EQ(back.observer, t.observer);
   EXPECT_EQ(back.wavelength_range_nm, t.wavelength_range_nm);
@@ -89,6 +91,17 @@ TEST(TemplateFile, EveryFieldComesBack) {
     for (int column = 0; column < 3; ++column)
       EXPECT_NEAR(back.color_space.rgb_from_xyz()[row][column],
                   t.color_space.rgb_from_xyz()[row][column], 1e-6);  // Through chromaticities.
+}
+
+TEST(TemplateFile, WithoutTheLightsColorItIsTheLamps) {
+  const test::ScratchFolder folder;
+  write_template(folder / "t.exr", sample());
+  std::string bytes = test::file_text(folder / "t.exr");
+  bytes.replace(bytes.find("glare:lightXYZ"), 14, "glare:otherXYZ");
+  test::set_file_text(folder / "t.exr", bytes);
+  const GlareTemplate back = read_template(folder / "t.exr");
+  EXPECT_EQ(back.light_xyz, back.lamp_xyz);
+  EXPECT_NEAR(back.light_xyz[0], 1.09, kSinglePrecision);
 }
 
 TEST(TemplateFile, StraylightComesBackAndIsWrittenOnlyWhereThereIsAny) {

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "glare/base/error.h"
+#include "glare/spectrum/lamps.h"
+#include "support/templates.h"
 
 namespace glare {
 namespace {
@@ -75,6 +80,41 @@ TEST(Resampled, TemplatesStayPerSteradian) {
   EXPECT_NEAR(part.captured_energy, sum(part.channels[1]) * 9e-8, 1e-5 * t.captured_energy);
   EXPECT_THROW(resampled(t, 0, 3, 3), OptionError);
   EXPECT_THROW(resampled(t, 1e-4, 0, 3), OptionError);
+}
+
+/// How far, in the middle and at most, a template's luminances are from the directly made one's,
+/// of which pixels above 1e-5 of the brightest count.
+std::array<double, 2> relative_errors(const Image<float>& image, const Image<float>& direct) {
+  const float peak = *std::ranges::max_element(direct.values());
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < direct.values().size(); ++i)
+    if (const double value = direct.values()[i]; value > 1e-5 * peak)
+      errors.push_back(std::abs(image.values()[i] / value - 1));
+  std::ranges::sort(errors);
+  return {errors[errors.size() / 2], errors.back()};
+}
+
+TEST(Resampled, IsNearTheTemplateMadeAtThatPitch) {
+  // Median and largest error for a round pupil; squares of one value are farther off.
+  struct Case {
+    double ratio;
+    int pixels;
+    double median, largest;
+  };
+  const GlareTemplate t =
+      make_template(test::small_pupil(), blackbody(5000), test::absolute_xyz(96, 96, 1e-4));
+  for (const Case& c : {Case{0.5, 181, 0.01, 1.5}, {1.37, 65, 0.003, 0.5}, {2, 47, 0.001, 0.5}}) {
+    const Image<float> direct =
+        test::luminance_of(test::small_pupil(), blackbody(5000),
+                           test::absolute_xyz(c.pixels, c.pixels, c.ratio * 1e-4));
+    const auto errors =
+        relative_errors(resampled(t, c.ratio * 1e-4, c.pixels, c.pixels).channels[1], direct);
+    const auto of_squares =
+        relative_errors(area_means(t.channels[1], c.ratio, c.pixels, c.pixels), direct);
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_LT(errors[k], 0.7 * of_squares[k]) << c.ratio;
+    EXPECT_LT(errors[0], c.median) << c.ratio;
+    EXPECT_LT(errors[1], c.largest) << c.ratio;
+  }
 }
 
 }  // namespace

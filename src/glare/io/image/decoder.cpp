@@ -6,6 +6,7 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "glare/base/error.h"
@@ -111,6 +112,10 @@ std::string one_line(std::string message) {
   for (char& character : message) {
     if (std::iscntrl(static_cast<unsigned char>(character))) character = ' ';
   }
+  // OpenEXR's words for a file that it knows by the name of its stream.
+  if (constexpr std::string_view kPrefix = "Cannot read image file \"file\". ";
+      message.starts_with(kPrefix))
+    message.erase(0, kPrefix.size());
   return message.empty() ? "the data are damaged or cut short" : message;
 }
 

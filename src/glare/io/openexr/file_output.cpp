@@ -1,5 +1,10 @@
 #include "glare/io/openexr/file_output.h"
 
+#include <new>
+#include <string>
+
+#include "glare/base/error.h"
+
 namespace glare::openexr_io {
 
 namespace {
@@ -42,6 +47,23 @@ void FileOutput::write_to_file(std::span<const std::byte> bytes) {
     throw;
   }
   buffer_begin_ += bytes.size();
+}
+
+void write_openexr_file(const std::filesystem::path& path, const std::function<bool()>& keep_going,
+                        const std::function<void(Imf::OStream&)>& encode) {
+  AtomicFile file(path);
+  try {
+    FileOutput output(file);
+    encode(output);
+    output.finish();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw OutputError(path.string(), std::string("can't be encoded: ") + error.what());
+  }
+  file.commit(keep_going);
 }
 
 }  // namespace glare::openexr_io

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -35,5 +37,10 @@ class FileOutput : public Imf::OStream {
   std::vector<std::byte> buffer_;
   std::exception_ptr failure_;
 };
+
+/// Writes what `encode` gives the stream to a file at `path`, all or nothing. Throws `OutputError`,
+/// also for what OpenEXR throws; `Cancelled` where `keep_going` says false at the end.
+void write_openexr_file(const std::filesystem::path& path, const std::function<bool()>& keep_going,
+                        const std::function<void(Imf::OStream&)>& encode);
 
 }  // namespace glare::openexr_io

@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <new>
 #include <string>
+#include <vector>
 
 #include "glare/base/error.h"
-#include "glare/io/atomic_file.h"
 #include "glare/io/openexr/file_output.h"
 #include "glare/io/openexr/memory_stream.h"
 #include "glare/io/template_file.h"
@@ -37,16 +35,27 @@ Imf::Chromaticities chromaticities_of(const RgbColorSpace& space) {
 /// Gives OpenEXR the pixels band by band.
 class PixelWriter {
  public:
-  PixelWriter(Imf::OutputFile& file, const RgbColorSpace& space, const Channels& channels,
+  PixelWriter(Imf::OutputFile& file, const RgbColorSpace& space, std::span<const RgbLayer> layers,
               bool as_half)
-      : file_(file), space_(space), channels_(channels), as_half_(as_half) {
-    if (as_half_)
-      halves_.fill(Image<Imath::half>(channels[0].width(), std::min(height(), kBandRows)));
-    else
-      file_.setFrameBuffer(frame_buffer_of(Imf::FLOAT, space, channels, {0, 0}));
+      : file_(file), space_(space), layers_(layers), as_half_(as_half) {
+    if (as_half_) {
+      std::array<Image<Imath::half>, 3> band;
+      band.fill(Image<Imath::half>(first_channel().width(), std::min(height(), kBandRows)));
+      halves_.assign(layers.size(), band);
+      half_alphas_.assign(layers.size(), band[0]);
+      return;
+    }
+    Imf::FrameBuffer frame_buffer;
+    for (const RgbLayer& layer : layers) {
+      insert_slices(frame_buffer, Imf::FLOAT, space, layer.name, *layer.channels, {0, 0});
+      if (layer.alpha)
+        frame_buffer.insert(name_in_layer(layer.name, "A"),
+                            slice_of(Imf::FLOAT, *layer.alpha, {0, 0}));
+    }
+    file_.setFrameBuffer(frame_buffer);
   }
 
-  int height() const { return channels_[0].height(); }
+  int height() const { return first_channel().height(); }
 
   void write(int first_row, int rows) {
     if (as_half_) convert(first_row, rows);
@@ -54,25 +63,42 @@ class PixelWriter {
   }
 
  private:
+  const Image<float>& first_channel() const { return (*layers_[0].channels)[0]; }
+
+  static void convert(const Image<float>& values, int first_row, int rows,
+                      Image<Imath::half>& halves) {
+    for (int row = 0; row < rows; ++row)
+      std::ranges::copy(values.row(first_row + row), halves.row(row).begin());
+  }
+
   void convert(int first_row, int rows) {
-    for (std::size_t k = 0; k < halves_.size(); ++k)
-      for (int row = 0; row < rows; ++row)
-        std::ranges::copy(channels_[k].row(first_row + row), halves_[k].row(row).begin());
-    file_.setFrameBuffer(frame_buffer_of(Imf::HALF, space_, halves_, {0, first_row}));
+    Imf::FrameBuffer frame_buffer;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      const RgbLayer& layer = layers_[i];
+      for (std::size_t k = 0; k < halves_[i].size(); ++k)
+        convert((*layer.channels)[k], first_row, rows, halves_[i][k]);
+      insert_slices(frame_buffer, Imf::HALF, space_, layer.name, halves_[i], {0, first_row});
+      if (!layer.alpha) continue;
+      convert(*layer.alpha, first_row, rows, half_alphas_[i]);
+      frame_buffer.insert(name_in_layer(layer.name, "A"),
+                          slice_of(Imf::HALF, half_alphas_[i], {0, first_row}));
+    }
+    file_.setFrameBuffer(frame_buffer);
   }
 
   Imf::OutputFile& file_;
   const RgbColorSpace& space_;
-  const Channels& channels_;
+  std::span<const RgbLayer> layers_;
   bool as_half_;
-  std::array<Image<Imath::half>, 3> halves_;
+  std::vector<std::array<Image<Imath::half>, 3>> halves_;
+  std::vector<Image<Imath::half>> half_alphas_;
 };
 
 void encode(Imf::OStream& output, const Imf::Header& header, const RgbColorSpace& space,
-            const Channels& channels, const RgbFileOptions& options) {
+            std::span<const RgbLayer> layers, const RgbFileOptions& options) {
   const CompressionThreads threads(options.threads);
   Imf::OutputFile file(output, header, threads.count());
-  PixelWriter pixels(file, space, channels, options.half);
+  PixelWriter pixels(file, space, layers, options.half);
   for (int row = 0; row < pixels.height(); row += kBandRows) {
     if (options.keep_going && !options.keep_going()) throw Cancelled();
     pixels.write(row, std::min(kBandRows, pixels.height() - row));
@@ -93,31 +119,37 @@ bool fits_half(const Channels& channels) {
   });
 }
 
-Imf::Header rgb_header(int width, int height, const RgbColorSpace& space, bool half) {
+Imf::Header rgb_header(int width, int height, const RgbColorSpace& space, bool half,
+                       std::span<const RgbLayer> layers) {
   Imf::Header header(width, height);
   header.compression() = Imf::ZIP_COMPRESSION;
-  for (const char* name : channel_names(space))
-    header.channels().insert(name, Imf::Channel(half ? Imf::HALF : Imf::FLOAT));
+  const Imf::Channel channel(half ? Imf::HALF : Imf::FLOAT);
+  for (const RgbLayer& layer : layers) {
+    for (const char* name : channel_names(space))
+      header.channels().insert(name_in_layer(layer.name, name), channel);
+    if (layer.alpha) header.channels().insert(name_in_layer(layer.name, "A"), channel);
+  }
   if (!space.is_xyz()) Imf::addChromaticities(header, chromaticities_of(space));
   return header;
+}
+
+Imf::Header rgb_header(int width, int height, const RgbColorSpace& space, bool half) {
+  const RgbLayer root;
+  return rgb_header(width, height, space, half, {&root, 1});
+}
+
+void write_rgb_layers(const std::filesystem::path& path, const Imf::Header& header,
+                      const RgbColorSpace& space, std::span<const RgbLayer> layers,
+                      const RgbFileOptions& options) {
+  write_openexr_file(path, options.keep_going,
+                     [&](Imf::OStream& output) { encode(output, header, space, layers, options); });
 }
 
 void write_rgb_file(const std::filesystem::path& path, const Imf::Header& header,
                     const RgbColorSpace& space, const Channels& channels,
                     const RgbFileOptions& options) {
-  AtomicFile file(path);
-  try {
-    FileOutput output(file);
-    encode(output, header, space, channels, options);
-    output.finish();
-  } catch (const Error&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw OutputError(path.string(), std::string("can't be encoded: ") + error.what());
-  }
-  file.commit(options.keep_going);
+  const RgbLayer layer = {"", &channels, nullptr};
+  write_rgb_layers(path, header, space, {&layer, 1}, options);
 }
 
 }  // namespace glare::openexr_io

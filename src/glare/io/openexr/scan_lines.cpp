@@ -1,12 +1,12 @@
 #include "glare/io/openexr/scan_lines.h"
 
 #include <algorithm>
-#include <bit>
 #include <set>
 #include <string>
 
 #include "glare/io/image/byte_reader.h"
 #include "glare/io/image/image_header.h"
+#include "glare/io/openexr/blocks.h"
 
 namespace glare::openexr_io {
 
@@ -19,8 +19,6 @@ using Bytes = std::span<const std::byte>;
 
 namespace {
 
-enum Compression : unsigned { none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab };
-
 /// The parts of a header that say how large everything is.
 struct Sizes {
   uint64_t width = 0;
@@ -29,38 +27,6 @@ struct Sizes {
   uint64_t pixel_bytes = 0;  ///< Of all channels together.
   unsigned compression = 0;
 };
-
-struct Block {
-  uint64_t rows = 0;   ///< Compressed together.
-  uint64_t ratio = 0;  ///< How much smaller they can get, at most.
-};
-
-Block block_of(unsigned compression) {
-  constexpr uint64_t kDeflate = image_io::kDeflateRatio;
-  switch (compression) {
-    case none:
-      return {1, 1};
-    case rle:
-      return {1, 64};  // 128 equal bytes become 2.
-    case zips:
-      return {1, kDeflate};
-    case zip:
-      return {16, kDeflate};
-    case piz:
-      return {32, kDeflate};  // 256 equal 16-bit numbers become 10 bits or more.
-    case pxr24:
-      return {16, kDeflate * 4 / 3};  // A byte of each 32-bit number goes before.
-    case b44:
-    case b44a:
-      return {32, 11};  // 32 bytes become 3 or 14.
-    case dwaa:
-      return {32, 140000};  // 64 values may become 2 bytes, which are deflated.
-    case dwab:
-      return {256, 140000};
-    default:
-      throw BadImage("is compressed in an unknown way");
-  }
-}
 
 void require_known_kind(uint32_t version) {
   constexpr uint32_t tiles = 0x200, long_names = 0x400, deep = 0x800, parts = 0x1000;
@@ -124,40 +90,20 @@ Sizes header_sizes(Reader& reader) {
   return sizes;
 }
 
-/// How long run-length coded data are when they are decoded.
-uint64_t run_length_decoded_bytes(Reader data) {
-  uint64_t bytes = 0;
-  while (data.left() > 0) {
-    const auto count = std::bit_cast<std::int8_t>(data.u8());
-    data.skip(count < 0 ? static_cast<uint64_t>(-count) : 1);
-    bytes += count < 0 ? static_cast<uint64_t>(-count) : static_cast<uint64_t>(count) + 1;
-  }
-  return bytes;
-}
-
-/// The block must be what its place in the table says, and whole. (Data that aren't smaller than
-/// the pixels are the pixels themselves; deflated data have a checksum.)
-void require_whole_block(Reader block, std::int64_t y, uint64_t raw_bytes, unsigned compression) {
+/// The block must be what its place in the table says, and whole.
+void require_block(Reader block, std::int64_t y, uint64_t raw_bytes, unsigned compression) {
   require(block.i32() == y, "a block of scan lines is damaged");
-  const Bytes data = block.take(block.u32());
-  require(data.size() <= raw_bytes, "a block of scan lines is damaged");
-  if (data.size() == raw_bytes) return;
-  require(compression != none, "a block of scan lines is cut short");
-  require(raw_bytes <= data.size() * block_of(compression).ratio,
-          "a block of scan lines has too little data");
-  if (compression == rle)
-    require(run_length_decoded_bytes(Reader(data)) == raw_bytes,
-            "a block of scan lines is damaged");
+  require_whole_block(block.take(block.u32()), raw_bytes, compression);
 }
 
 void require_whole_blocks(Bytes file, Reader table, const Sizes& sizes) {
-  const uint64_t rows = block_of(sizes.compression).rows;
+  const uint64_t rows = block_kind(sizes.compression).rows;
   for (uint64_t row = 0; row < sizes.height; row += rows) {
     Reader block(file);
     block.seek(table.number(8));
     const uint64_t rows_here = std::min(rows, sizes.height - row);
-    require_whole_block(block, sizes.y_min + static_cast<std::int64_t>(row),
-                        sizes.width * rows_here * sizes.pixel_bytes, sizes.compression);
+    require_block(block, sizes.y_min + static_cast<std::int64_t>(row),
+                  sizes.width * rows_here * sizes.pixel_bytes, sizes.compression);
   }
 }
 
@@ -168,7 +114,7 @@ ScanLines checked_scan_lines(Bytes file) {
   require(file.size() >= 8 && reader.u32() == 20000630, "is not an OpenEXR file");
   require_known_kind(reader.u32());
   const Sizes sizes = header_sizes(reader);
-  const Block block = block_of(sizes.compression);
+  const BlockKind block = block_kind(sizes.compression);
   require(sizes.width * sizes.height * sizes.pixel_bytes / block.ratio <= file.size(),
           "has too little data for its size");
   require_whole_blocks(file, reader, sizes);

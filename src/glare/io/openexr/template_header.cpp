@@ -34,6 +34,11 @@ void insert_string(Imf::Header& header, const char* name, const std::string& val
   header.insert(name, Imf::StringAttribute(value));
 }
 
+void insert_xyz(Imf::Header& header, const char* name, const Xyz& xyz) {
+  header.insert(name, Imf::V3fAttribute({static_cast<float>(xyz[0]), static_cast<float>(xyz[1]),
+                                         static_cast<float>(xyz[2])}));
+}
+
 void insert_scatter(Imf::Header& header, const Straylight& eye, double scattered_energy) {
   insert_string(header, "glare:scatter", kCieScatter);
   insert_float(header, "glare:scatterAge_years", eye.age_years);
@@ -50,9 +55,8 @@ void insert_attributes(Imf::Header& header, const GlareTemplate& t) {
   insert_string(header, "glare:normalization", to_string(t.normalization));
   insert_float(header, "glare:perSteradian", t.per_steradian);
   insert_float(header, "glare:capturedEnergy", t.captured_energy);
-  header.insert("glare:lampXYZ", Imf::V3fAttribute({static_cast<float>(t.lamp_xyz[0]),
-                                                    static_cast<float>(t.lamp_xyz[1]),
-                                                    static_cast<float>(t.lamp_xyz[2])}));
+  insert_xyz(header, "glare:lampXYZ", t.lamp_xyz);
+  insert_xyz(header, "glare:lightXYZ", t.light_xyz);
   insert_string(header, "glare:lamp", t.lamp);
   insert_string(header, "glare:observer", t.observer);
   header.insert(
@@ -113,6 +117,10 @@ class AttributeReader {
            text_of(largest));
     return std::clamp(number, least, largest);
   }
+  Xyz xyz(const std::string& name) const {
+    const auto& vector = value<Imf::V3fAttribute>(name);
+    return {vector.x, vector.y, vector.z};
+  }
   bool has(const std::string& name) const { return header_.find(name) != header_.end(); }
   const std::string& text(const std::string& name) const {
     return value<Imf::StringAttribute>(name);
@@ -157,8 +165,8 @@ void read_attributes(const AttributeReader& reader, GlareTemplate& t) {
   t.normalization = normalization_from(reader.text("glare:normalization"));
   t.per_steradian = reader.positive("glare:perSteradian");
   t.captured_energy = reader.number("glare:capturedEnergy");
-  const auto& lamp_xyz = reader.value<Imf::V3fAttribute>("glare:lampXYZ");
-  t.lamp_xyz = {lamp_xyz.x, lamp_xyz.y, lamp_xyz.z};
+  t.lamp_xyz = reader.xyz("glare:lampXYZ");
+  t.light_xyz = reader.has("glare:lightXYZ") ? reader.xyz("glare:lightXYZ") : t.lamp_xyz;
   t.lamp = reader.text("glare:lamp");
   t.observer = reader.text("glare:observer");
   const auto& range = reader.value<Imf::V2fAttribute>("glare:wavelengthRange_nm");
