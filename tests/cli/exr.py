@@ -134,9 +134,9 @@ def header_bytes(attributes):
     return b"".join(parts) + b"\0"
 
 
-def plain_attributes(names, width, height):
-    box = struct.pack("<4i", 0, 0, width - 1, height - 1)
-    channels = b"".join(n.encode() + b"\0" + struct.pack("<iB3xii", 2, 0, 1, 1)
+def plain_attributes(names, width, height, halves=(), corner=(0, 0)):
+    box = struct.pack("<4i", *corner, corner[0] + width - 1, corner[1] + height - 1)
+    channels = b"".join(n.encode() + b"\0" + struct.pack("<iB3xii", 1 if n in halves else 2, 0, 1, 1)
                         for n in sorted(names))
     return {"channels": ("chlist", channels + b"\0"), "compression": ("compression", b"\0"),
             "dataWindow": ("box2i", box), "displayWindow": ("box2i", box),
@@ -145,14 +145,17 @@ def plain_attributes(names, width, height):
             "screenWindowWidth": ("float", struct.pack("<f", 1))}
 
 
-def encode(channels, width, height):
-    """An uncompressed 32-bit file of {name: values row by row}."""
-    header = header_bytes(plain_attributes(channels, width, height))
+def encode(channels, width, height, attributes=None, halves=(), corner=(0, 0)):
+    """An uncompressed file of {name: values row by row}: 32-bit floats but for the `halves`. The
+    data window begins at `corner`; `attributes` are {name: (type, raw bytes)}."""
+    header = header_bytes(plain_attributes(channels, width, height, halves, corner)
+                          | (attributes or {}))
     lines = []
     for y in range(height):
-        rows = b"".join(struct.pack(f"<{width}f", *channels[n][y * width:(y + 1) * width])
+        rows = b"".join(struct.pack(f"<{width}{'e' if n in halves else 'f'}",
+                                    *channels[n][y * width:(y + 1) * width])
                         for n in sorted(channels))
-        lines.append(struct.pack("<ii", y, len(rows)) + rows)
+        lines.append(struct.pack("<ii", corner[1] + y, len(rows)) + rows)
     offset, offsets = len(header) + 8 * height, []
     for line in lines:
         offsets.append(offset)

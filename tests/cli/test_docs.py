@@ -22,7 +22,8 @@ class Docs(GlareTest):
                 self.assertTrue((page.parent / link).exists(), f"{page.name}: {link}")
 
     def test_commands_are_understood(self):
-        pages = ("README.md", "docs/photometry.md", "docs/headlamps.md")
+        pages = ("README.md", "docs/photometry.md", "docs/headlamps.md", "docs/apply.md",
+                 "docs/kernels.md")
         commands = [command for page in pages for command in
                     re.findall(r"^(glare [a-z].*?)(?:\s+#.*)?$",
                                (ROOT / page).read_text(encoding="utf-8"), re.MULTILINE)]

@@ -18,7 +18,8 @@ class File(GlareTest):
         "chromaticities": "chromaticities", "glare:formatVersion": "int",
         "glare:pixelPitch_deg": "float", "glare:center_px": "v2f", "glare:colorSpace": "string",
         "glare:normalization": "string", "glare:perSteradian": "float",
-        "glare:capturedEnergy": "float", "glare:lampXYZ": "v3f", "glare:lamp": "string",
+        "glare:capturedEnergy": "float", "glare:lampXYZ": "v3f",
+        "glare:lightXYZ": "v3f", "glare:lamp": "string",
         "glare:observer": "string", "glare:wavelengthRange_nm": "v2f",
         "glare:apertureWidth_mm": "float", "glare:apertureArea_mm2": "float",
         "glare:recipe": "string", "glare:software": "string"}

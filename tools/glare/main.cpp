@@ -71,7 +71,7 @@ int run(int argument_count, char** arguments) {
   for (const auto add :
        {tool::add_template_command, tool::add_info_command, tool::add_lamps_command,
         tool::add_aperture_command, tool::add_photometry_command, tool::add_tonemap_command,
-        tool::add_headlamp_command}) {
+        tool::add_headlamp_command, tool::add_apply_command, tool::add_export_command}) {
     tool::Command command = add(program);
     subcommands.push_back({program.get_subcommands({}).back(), std::move(command)});
   }

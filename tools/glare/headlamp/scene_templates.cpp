@@ -60,7 +60,7 @@ void SceneTemplates::add_task(const SceneLamp& lamp) {
   task.arguments.lamps = {lamp.spectrum};
   const TemplateOptions options = template_options(task.arguments);
   task.range = effective_range(task.lamp.spectrum, options);
-  warn_of_missed_light(task.lamp, options, console_);
+  if (const auto warning = missed_light(task.lamp, options)) console_.warn(*warning);
   TemplateOptics(task.arguments, options, Console(Verbosity::quiet)).require_possible(task.range);
   task.recipe = RecipeWriter(task.arguments).recipe(task.lamp);
   tasks_.push_back(std::move(task));

@@ -1,18 +1,13 @@
 #include "headlamp/sequence.h"
 
-#include <signal.h>
-
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <set>
 #include <span>
-#include <system_error>
 
 #include "aperture/eye_arguments.h"
 #include "frames.h"
@@ -54,23 +49,12 @@ std::string key_of(const std::string& fingerprint, const SceneFrame& frame,
   return sha256_of(std::as_bytes(std::span(all.data(), all.size())));
 }
 
-/// Takes away what a killed process has left beside the frames: temporary files, .NAME.glare-PID-N
-/// (see `AtomicFile`), of processes that are no more.
-void remove_leftovers(const std::vector<SceneFrame>& frames, const std::string& pattern) {
+std::set<std::string> file_names(const std::vector<SceneFrame>& frames,
+                                 const std::string& pattern) {
   std::set<std::string> names;
   for (const SceneFrame& frame : frames)
     names.insert(fs::path(with_frame(pattern, frame.index)).filename().string());
-  names.insert(FrameRecord(pattern).file().filename().string());
-  const fs::path folder = fs::path(with_frame(pattern, 0)).parent_path();
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
-    const std::string name = entry.path().filename().string();
-    const std::size_t tail = name.rfind(".glare-");
-    if (name[0] != '.' || tail == std::string::npos || tail < 2) continue;
-    const int process = std::atoi(name.c_str() + tail + 7);
-    const bool is_gone = process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
-    if (is_gone && names.contains(name.substr(1, tail - 1))) fs::remove(entry.path(), error);
-  }
+  return names;
 }
 
 }  // namespace
@@ -92,7 +76,9 @@ void write_frames(const FrameMaker& maker, const SceneParts& parts,
   std::optional<FrameRecord> record;
   if (count > 1) {
     record.emplace(arguments.output);
-    if (arguments.resume) remove_leftovers(frames, arguments.output);
+    if (arguments.resume)
+      remove_leftovers(file_names(frames, arguments.output),
+                       fs::path(with_frame(arguments.output, 0)).parent_path(), *record);
     record->begin(arguments.resume, count);
   }
   std::atomic<int> next{0}, kept{0};

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "console.h"
+#include "frame_record.h"
 #include "headlamp/frame_maker.h"
-#include "headlamp/frame_record.h"
 #include "headlamp/headlamp_arguments.h"
 
 namespace glare::tool {

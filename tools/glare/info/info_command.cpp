@@ -148,6 +148,7 @@ Json as_json(const Info& info) {
                {"captured_energy", t.captured_energy},
                {"lamp", t.lamp},
                {"lamp_xyz", t.lamp_xyz},
+               {"light_xyz", t.light_xyz},
                {"observer", t.observer},
                {"wavelength_range_nm", {t.wavelength_range_nm.lo_nm, t.wavelength_range_nm.hi_nm}},
                {"aperture_width_mm", t.aperture_width_mm},

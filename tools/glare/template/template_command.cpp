@@ -50,7 +50,7 @@ std::vector<NamedLamp> read_lamps(const TemplateArguments& arguments) {
   for (const std::string& lamp : arguments.lamps) lamps.push_back(lamp_from(lamp));
   for (const NamedLamp& lamp : lamps) {
     range_of(lamp, options);  // Tells first what is wrong with a lamp.
-    warn_of_missed_light(lamp, options, console);
+    if (const auto warning = missed_light(lamp, options)) console.warn(*warning);
   }
   return lamps;
 }

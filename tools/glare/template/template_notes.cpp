@@ -6,18 +6,17 @@
 
 namespace glare::tool {
 
-void warn_of_missed_light(const NamedLamp& lamp, const TemplateOptions& options,
-                          const Console& console) {
+std::optional<std::string> missed_light(const NamedLamp& lamp, const TemplateOptions& options) {
   constexpr double kMuch = 0.01;
   const double missed = share_of_sensitivity_missed(
       lamp.spectrum, color_matching_functions(options.observer), options.wavelength_range_nm);
-  if (missed <= kMuch) return;
+  if (missed <= kMuch) return std::nullopt;
   const WavelengthRange covered = lamp.spectrum.range();
   char text[120];
   std::snprintf(text, sizeof text,
                 "%g to %g nm, misses %.1f %% of what the observer sees (by luminous efficiency)",
                 covered.lo_nm, covered.hi_nm, 100 * missed);
-  console.warn("lamp " + lamp.name + ": its table, " + text);
+  return "lamp " + lamp.name + ": its table, " + text;
 }
 
 /// Half precision has full digits down to 6.1e-5; a template's outskirts are often darker.

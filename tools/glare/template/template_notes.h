@@ -1,6 +1,7 @@
 // What glare template says about a lamp and about what it made.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "console.h"
@@ -9,9 +10,8 @@
 
 namespace glare::tool {
 
-/// Warns where the lamp's table leaves out much of what the observer sees.
-void warn_of_missed_light(const NamedLamp& lamp, const TemplateOptions& options,
-                          const Console& console);
+/// A warning where the lamp's table leaves out much of what the observer sees.
+std::optional<std::string> missed_light(const NamedLamp& lamp, const TemplateOptions& options);
 
 /// Warns where half precision, in the file of that name, has too few digits for many pixels.
 void warn_of_lost_digits(const std::string& file, const GlareTemplate& glare_template,

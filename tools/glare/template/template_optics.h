@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "console.h"
 #include "glare/aperture/aperture.h"
@@ -20,6 +21,11 @@ class TemplateOptics {
   /// arguments and options outlive this object.
   TemplateOptics(const TemplateArguments& arguments, const TemplateOptions& options,
                  const Console& console);
+
+  /// The same with an aperture that isn't in files.
+  TemplateOptics(const TemplateArguments& arguments, const TemplateOptions& options,
+                 Aperture aperture)
+      : arguments_(arguments), options_(options), aperture_(std::move(aperture)) {}
 
   /// Throws, before any work, what making a far field for these wavelengths would throw.
   void require_possible(const WavelengthRange& range) const;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "glare/io/lamp_file.h"
 #include "template/template_arguments.h"
@@ -13,8 +14,12 @@ namespace glare::tool {
 /// Writes the recipes of one command's templates.
 class RecipeWriter {
  public:
-  /// The arguments outlive this object.
-  explicit RecipeWriter(const TemplateArguments& arguments) : arguments_(arguments) {}
+  using Fingerprints = std::map<std::filesystem::path, std::string>;
+
+  /// The arguments outlive this object. `known` are fingerprints of inputs that are no files, by
+  /// the names that the arguments have for them.
+  explicit RecipeWriter(const TemplateArguments& arguments, Fingerprints known = {})
+      : arguments_(arguments), fingerprints_(std::move(known)) {}
 
   /// A JSON object {"command": [...], "inputs": [{"option", "file", "sha256"}, ...]}: the words of
   /// the command that makes this lamp's template alone, with every option that bears on the pixels,
@@ -26,7 +31,7 @@ class RecipeWriter {
   const std::string& fingerprint_of(const std::filesystem::path& file);
 
   const TemplateArguments& arguments_;
-  std::map<std::filesystem::path, std::string> fingerprints_;  ///< Each file is read once.
+  Fingerprints fingerprints_;  ///< Each file is read once.
 };
 
 }  // namespace glare::tool

@@ -1,6 +1,10 @@
-#include "headlamp/frame_record.h"
+#include "frame_record.h"
 
+#include <signal.h>
+
+#include <cerrno>
 #include <cstddef>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -64,7 +68,7 @@ void FrameRecord::read(int frames) {
       return entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>() : "";
     };
     const auto frame = entry["frame"].get<std::int64_t>();
-    if (frame < 1 || frame > frames) continue;
+    if (frame < 0 || frame > frames) continue;
     entries_[static_cast<int>(frame - 1)] = {text("key"), text("sha256")};
   }
 }
@@ -101,6 +105,20 @@ void FrameRecord::finish() const {
   std::string content = kFirstLine;
   for (const auto& [frame, entry] : entries_) content += line_of(frame, entry);
   write_file_atomically(file_, std::as_bytes(std::span(content.data(), content.size())));
+}
+
+void remove_leftovers(std::set<std::string> names, const fs::path& folder,
+                      const FrameRecord& record) {
+  names.insert(record.file().filename().string());
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const std::size_t tail = name.rfind(".glare-");
+    if (name[0] != '.' || tail == std::string::npos || tail < 2) continue;
+    const int process = std::atoi(name.c_str() + tail + 7);
+    const bool is_gone = process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
+    if (is_gone && names.contains(name.substr(1, tail - 1))) fs::remove(entry.path(), error);
+  }
 }
 
 }  // namespace glare::tool

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 
 namespace glare::tool {
@@ -47,5 +48,10 @@ class FrameRecord {
   mutable std::mutex mutex_;
   std::map<int, Entry> entries_;
 };
+
+/// Takes away what a killed process has left beside the frames: temporary files, .NAME.glare-PID-N
+/// (see `AtomicFile`), of processes that are no more. `names` are the frames' files in `folder`.
+void remove_leftovers(std::set<std::string> names, const std::filesystem::path& folder,
+                      const FrameRecord& record);
 
 }  // namespace glare::tool
