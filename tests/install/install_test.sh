@@ -18,6 +18,7 @@ fail() { printf 'install_test: %s: %s\n' "$step" "$*" >&2; exit 1; }
 # The files as expected_files.txt names them: what depends on machine or version is a @NAME@.
 installed_files() {
   (cd "$prefix" && find . ! -type d) | sed -e 's|^\./||' -e "/^${doc_dir//\//\\/}\//d" \
+    -e "s|^$python_dir/|@PYTHON@/|" -e "s|\(/_glare\)\.[^/]*\.so$|\1@EXTENSION@|" \
     -e "s|^$lib_dir/|@LIB@/|" -e "s|^$include_dir/|@INCLUDE@/|" -e "s|^$bin_dir/|@BIN@/|" \
     -e "s|^$data_dir/|@DATA@/|" \
     -e "s|^@LIB@/glare-$abi_version/|@LIB@/glare-@ABI@/|" \
@@ -26,6 +27,10 @@ installed_files() {
 }
 
 expected_files() {
+  expected_libraries | if [ "$python" = ON ]; then cat; else grep -v '^@PYTHON@/'; fi
+}
+
+expected_libraries() {
   if [ "$shared" = ON ]; then cat "$source_dir/tests/install/expected_files.txt"
   else sed -e '/\.so\./d' -e '/glare-@ABI@/d' -e 's/\.so$/.a/' \
          "$source_dir/tests/install/expected_files.txt"
@@ -97,6 +102,24 @@ case $step in
       --colorspace aces_interchange
     require_template "$out/pupil.exr"
     ;;
+  python)
+    # From the installed tree alone: its own libraries, and an io module.
+    out=$work/python
+    mkdir -p "$out"
+    make_pictures "$out"
+    env -u LD_LIBRARY_PATH PYTHONPATH="$prefix/$python_dir" "$python_program" -B - "$out" <<'END'
+import sys
+import glare
+out = sys.argv[1]
+made = glare.template(pupil=out + "/pupil.pgm", width_mm=2, size=64, fov_deg=2)
+made.save(out + "/python.exr")
+assert glare.read_template(out + "/python.exr").rgb.shape == (64, 64, 3)
+libraries = {line.split()[-1] for line in open("/proc/self/maps") if "libglare_" in line}
+root = glare.__file__.rsplit("/lib/", 1)[0]
+assert libraries and all(library.startswith(root) for library in libraries), libraries
+END
+    require_template "$out/python.exr"
+    ;;
   cmake_package)
     options=()
     [ "$shared" != ON ] || options=("${without_files_libraries[@]}")
@@ -117,6 +140,20 @@ case $step in
       fail "a car without light has glare"
     "$out/contact_sheet" "$out/sheet.png" 2 2 "$out/car.exr" "$out/outline.exr"
     [ "$(head -c 4 "$out/sheet.png" | tail -c 3)" = PNG ] || fail "contact_sheet made no PNG"
+    "$out/render_terrace" "$out/terrace" --frames 2 --size 48x27 --samples 1 \
+      --template "$out/template.exr"
+    for frame in "$out"/terrace_000{1,2}; do
+      for channel in glare.R glare.G glare.B; do
+        grep -aqF "$channel" <(head -c 400 "$frame.exr") || fail "a frame has no channel $channel"
+      done
+      "$prefix/$bin_dir/glare" tonemap "$frame.exr" -o "$out/beauty.png"  # R, G and B are there too
+      [ "$(head -c 4 "$frame.png" | tail -c 3)" = PNG ] || fail "render_terrace made no PNG"
+    done
+    if cmp -s "$out"/terrace_000{1,2}.exr; then fail "two frames of the terrace, one picture"; fi
+    for scene in night_street sun_glint christmas_tree; do
+      "$out/make_scene" "$scene" "$out/$scene.exr" 48
+      "$prefix/$bin_dir/glare" tonemap "$out/$scene.exr" -o "$out/$scene.png"
+    done
     # Fails unless low beams' glare stays within the car's outline where high beams' doesn't.
     GLARE_PREFIX=$prefix GLARE_EXAMPLES=$out GLARE_FIGURE_WIDTH=120 \
       "$source_dir/examples/headlamp/figure8.sh" "$out/figure8" "$build_dir"
@@ -141,6 +178,30 @@ case $step in
     [ "$("$pkg_config" --modversion glare)" = "$version" ] || fail "glare.pc has another version"
     "$pkg_config" --libs glare | grep -- -lglare_io
     ;;
+  c_interface)
+    # A C compiler alone; then the program under sanitizers, with the plain library; then ctypes.
+    export PKG_CONFIG_PATH=$libraries/pkgconfig LD_LIBRARY_PATH=$libraries
+    out=$work/c_interface
+    mkdir -p "$out"
+    built_with_package c_program "$source_dir/examples/c_program" "${without_files_libraries[@]}"
+    "$work/c_program/street_lamp" "$out/eye.exr" | grep '^0.50 degrees'
+    require_template "$out/eye.exr"
+    strict=(-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Werror)
+    source=$source_dir/tests/install/c_only/c_only.c
+    # shellcheck disable=SC2046
+    "$cc" "${strict[@]}" -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all "$source" \
+      -o "$out/c_only" $("$pkg_config" --cflags --libs glare-c) -lm
+    ASAN_OPTIONS=detect_leaks=1 "$out/c_only" "$out"
+    require_template "$out/c_only.exr"
+    [ ! -x /usr/bin/python3 ] ||
+      /usr/bin/python3 -B "$source_dir/tests/install/c_interface.py" "$libraries/libglare_c.so"
+    # shellcheck disable=SC2016  # a fence of Markdown
+    diff -u --label docs/c-interface.md --label street_lamp.c \
+      <(sed -n '/^```c$/,/^```$/p' "$source_dir/docs/c-interface.md" | sed '1d;$d') \
+      "$source_dir/examples/c_program/street_lamp.c" || fail "the page has another program"
+    other=$(nm -D --defined-only "$libraries/libglare_c.so" | grep -v ' glare_' || true)
+    [ -z "$other" ] || fail "libglare_c.so shows more than the C interface: $other"
+    ;;
   static)
     prefix=$work/static_installed
     libraries=$prefix/$lib_dir
@@ -153,6 +214,9 @@ case $step in
       "${without_files_libraries[@]}"
     "$work/static_core_only/core_only"
     require_light "$work/static_core_only/core_only"
+    built_with_package static_c_only "$source_dir/tests/install/c_only"
+    mkdir -p "$work/static_c_out"
+    "$work/static_c_only/c_only" "$work/static_c_out"
     out=$work/static_examples
     make_pictures "$out"
     "$out/make_template" "$out/pupil.pgm" "$out/eyelashes.pgm" 2 D65 "$out/template.exr"
