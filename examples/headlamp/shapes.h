@@ -6,28 +6,12 @@
 #include <cmath>
 #include <span>
 
+#include "../vectors.h"
+
 namespace headlamp {
 
-struct Vec3 {
-  double x = 0, y = 0, z = 0;
-};
-
-constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
-inline Vec3 normalized(Vec3 a) { return (1 / length(a)) * a; }
-constexpr Vec3 mirrored(Vec3 direction, Vec3 normal) {
-  return direction - (2 * dot(direction, normal)) * normal;
-}
-constexpr Vec3 mix(Vec3 a, Vec3 b, double share) { return (1 - share) * a + share * b; }
-
-constexpr double smooth_step(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
+using vectors::dot, vectors::length, vectors::mirrored, vectors::mix, vectors::normalized;
+using vectors::smooth_step, vectors::Vec3;
 
 struct Vec2 {
   double x = 0, y = 0;
