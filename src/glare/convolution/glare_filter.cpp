@@ -1,6 +1,7 @@
 #include "glare/convolution/glare_filter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "glare/base/error.h"
@@ -23,9 +24,12 @@ void require_valid(const PixelKernel& kernel, int width, int height) {
   require_in_range("the picture's height", height, 1, kLargestSide);
   require_in_range("the kernel's width", kernel.width(), 1, 1 << 20);
   require_in_range("the kernel's height", kernel.height(), 1, 1 << 20);
-  for (const auto& channel : kernel.channels)
+  for (const auto& channel : kernel.channels) {
     if (channel.width() != kernel.width() || channel.height() != kernel.height())
       throw OptionError("the kernel's channels are not of one size");
+    if (!std::ranges::all_of(channel.values(), [](float share) { return std::isfinite(share); }))
+      throw OptionError("the kernel has a share that isn't finite");
+  }
 }
 
 std::uint64_t bytes_of(const PixelKernel& kernel) {

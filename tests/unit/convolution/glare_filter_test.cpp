@@ -361,6 +361,9 @@ TEST(GlareFilter, RefusesWhatDoesNotFit) {
   PixelKernel uneven = kernel;
   uneven.channels[1] = Image<float>(5, 3);
   test::expect_refused([&] { GlareFilter(uneven, 5, 5); }, "one size");
+  PixelKernel unknown = kernel;
+  unknown.channels[2](1, 1) = std::nanf("");
+  test::expect_refused([&] { GlareFilter(unknown, 5, 5); }, "finite");
   const GlareFilter filter(kernel, 5, 4);
   Picture picture = random_picture(4, 5);
   test::expect_refused([&] { apply_glare(picture, filter); }, "4 x 5");
