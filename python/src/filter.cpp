@@ -192,36 +192,18 @@ void add_points(PictureBuffer& buffer, const PointArray& sources, const Template
   });
 }
 
-/// As of the command: half as much as 0.1 % of the light is left out at most, by as many points as
-/// take about as long as the convolution.
-constexpr double kPointsShare = 0.9995;
-constexpr int kMostPoints = 300;
-
-/// Whether no light goes on beyond the picture's border.
-bool has_dark_border(const Picture& light) {
-  const int right = light.width() - 1, bottom = light.height() - 1;
-  return std::ranges::all_of(light.channels, [&](const Image<float>& channel) {
-    for (int x = 0; x <= right; ++x)
-      if (channel(x, 0) != 0 || channel(x, bottom) != 0) return false;
-    for (int y = 0; y <= bottom; ++y)
-      if (channel(0, y) != 0 || channel(right, y) != 0) return false;
-    return true;
-  });
-}
-
 /// The few points (n, 5) that hold the light of the picture, and which pixels give none; None
 /// instead of points where the whole picture is to be convolved.
 py::tuple find_points(PictureBuffer& buffer, const PictureKind& kind,
                       const BrightPartOptions& bright, const std::string& edge, int threads) {
-  const bool goes_on = edge_from(edge) == Edge::extend;
+  const Edge edge_kind = edge_from(edge);
   UnusablePixels unusable;
   std::optional<std::vector<PointSource>> points;
   run_released(py::none(), [&](const ProgressCallback&) {
     buffer.picture.color_space = kind.color_space();
     Picture light;
     unusable = bright_part(buffer.picture, bright, light, threads);
-    if (!goes_on || has_dark_border(light))
-      points = bright_points(light, kPointsShare, kMostPoints);
+    points = few_points(light, edge_kind);
   });
   const Counts counts = {unusable.nan, unusable.infinite, unusable.negative};
   if (!points) return py::make_tuple(counts, py::none());

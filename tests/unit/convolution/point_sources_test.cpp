@@ -269,6 +269,19 @@ TEST(BrightPoints, OfEqualOnesTheFirstAreTaken) {
   }
 }
 
+TEST(FewPoints, AreNoneWhereThePictureHasMoreOrALightBorderGoesOn) {
+  Picture light = black(40, 30);
+  for (auto& channel : light.channels) channel(20, 15) = 1000;
+  light.channels[0](3, 4) = 0.4f;  // 0.04 % of the light.
+  ASSERT_TRUE(few_points(light, Edge::extend));
+  EXPECT_EQ(few_points(light, Edge::extend)->size(), 1U);
+  light.channels[1](0, 29) = 0.1f;
+  EXPECT_FALSE(few_points(light, Edge::extend));
+  EXPECT_TRUE(few_points(light, Edge::black));
+  light.channels.fill(Image<float>(40, 30, 1.f));
+  EXPECT_FALSE(few_points(light, Edge::black));
+}
+
 TEST(BrightPoints, WhatIsNoLightIsNone) {
   Picture light = black(5, 5);
   EXPECT_EQ(bright_points(light, 1, 0)->size(), 0U);

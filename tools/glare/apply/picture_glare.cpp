@@ -17,11 +17,6 @@ namespace glare::tool {
 
 namespace {
 
-/// What points leave out is half as much of the added light at most as 0.1 %.
-constexpr double kPointsShare = 0.9995;
-/// As many points take about as long as the convolution.
-constexpr int kMostPoints = 300;
-
 std::optional<RgbColorSpace> told_color_space(const ApplyArguments& a) {
   if (a.color_space.empty()) return std::nullopt;
   return find_color_space(a.color_space, a.ocio.empty() ? color_config_from_environment()
@@ -53,18 +48,6 @@ void add(Picture& picture, const Picture& added, float exposure) {
       value = exposure * value + (gets_light ? added.channels[k].values()[i] : 0.0f);
     }
   }
-}
-
-/// Whether no light goes on beyond the picture's border.
-bool has_dark_border(const Picture& light) {
-  const int right = light.width() - 1, bottom = light.height() - 1;
-  for (const Image<float>& channel : light.channels) {
-    for (int x = 0; x <= right; ++x)
-      if (channel(x, 0) != 0 || channel(x, bottom) != 0) return false;
-    for (int y = 0; y <= bottom; ++y)
-      if (channel(0, y) != 0 || channel(right, y) != 0) return false;
-  }
-  return true;
 }
 
 /// A fade that ends at the nearest border of the template, on this scale.
@@ -181,8 +164,7 @@ std::optional<GlareOutcome> PictureGlare::apply_by_points(Picture& picture,
   if (arguments_.sources != "auto") return std::nullopt;
   Picture light;
   outcome.unusable = bright_part(picture, arguments_.bright, light, work.threads);
-  if (arguments_.edge_kind() == Edge::extend && !has_dark_border(light)) return std::nullopt;
-  auto points = bright_points(light, kPointsShare, kMostPoints);
+  auto points = few_points(light, arguments_.edge_kind());
   if (!points) return std::nullopt;
   outcome.points = points->size();
   add_points(picture, std::move(*points), work);
